@@ -14,6 +14,8 @@ namespace graze::fuzz {
 struct Label {
   std::optional<SphereKind> sphere;      ///< tangent, secant, miss
   std::optional<TriangleKind> triangle;  ///< the exact kind
+  std::optional<Sign> side = {};         ///< of an implicit surface
+  std::optional<Status> status = {};     ///< of an input that is invalid, or looks so
 };
 
 template <Real T>
@@ -24,8 +26,8 @@ struct LabelledCase {
 
 /// Case `index` of stream `seed` is a function of (seed, index) alone: no other case need be made first.
 struct Family {
-  std::string_view name;    ///< kebab-case, as `--families` takes it
-  std::string_view attacks; ///< one line: what breaks here
+  std::string_view name;     ///< kebab-case, as `--families` takes it
+  std::string_view attacks;  ///< one line: what breaks here
   LabelledCase<float> (*make_float)(std::uint64_t seed, std::uint64_t index);
   LabelledCase<double> (*make_double)(std::uint64_t seed, std::uint64_t index);
 };

@@ -1,0 +1,63 @@
+// Ray and sphere: the exact kind, the side of the origin and the correctly rounded roots, or the decision alone.
+//
+// The same bits from every compiler, flag, rounding mode, and with flush-to-zero or denormals-are-zero on: the filter's bounds
+// hold in all of them, the rounding stage looks at the rounding mode first and leaves a directed one to the exact stage, and the
+// exact stage is integers from the bits of the input. No mode is ever changed. Floating-point traps must be off; the sticky
+// exception flags may be raised.
+#pragma once
+
+#include "graze/answer.hpp"
+#include "graze/predicates/sphere_filter.hpp"
+
+namespace graze {
+
+namespace rounding {
+/// The roots that the verdict names, from double-double; exact where those are in doubt. Compiled in the library.
+template <Real T>
+[[nodiscard]] SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const predicates::SphereTerms& terms,
+                                 const predicates::SphereVerdict& verdict) noexcept;
+}  // namespace rounding
+
+namespace exact {
+/// The whole answer by exact integers, invalid input included. Compiled in the library.
+template <Real T>
+GRAZE_COLD [[nodiscard]] SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere) noexcept;
+template <Real T>
+GRAZE_COLD [[nodiscard]] bool hits(const Ray<T>& ray, const Sphere<T>& sphere) noexcept;
+}  // namespace exact
+
+namespace predicates {
+/// Whether range and radius are such that the filter's verdict may be trusted.
+template <Real T>
+[[nodiscard]] inline bool is_plain(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
+  const bool has_sign = (numeric::bits_of(sphere.radius) & numeric::sign_bit<T>) != 0;
+  return !has_sign && (numeric::is_default_range(ray) || numeric::is_ordinary_range(ray));
+}
+}  // namespace predicates
+
+/// Where the ray meets the sphere. The kind is exact, every number is correctly rounded, any input is answered; nothing is thrown,
+/// allocated or kept.
+template <Real T>
+[[nodiscard]] inline SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
+  if (!predicates::is_plain(ray, sphere)) return exact::intersect(ray, sphere);
+  const predicates::SphereTerms terms = predicates::sphere_terms(ray, sphere);
+  const predicates::SphereVerdict verdict = predicates::verdict(terms, ray);
+  if (verdict.kind == SphereKind::miss) {
+    SphereHit<T> hit;
+    hit.origin = verdict.origin;
+    return hit;
+  }
+  if (verdict.kind == SphereKind::secant) return rounding::roots(ray, sphere, terms, verdict);
+  return exact::intersect(ray, sphere);
+}
+
+/// Whether `intersect` would find a common point: false for a miss and for invalid input. Exact, and cheaper.
+template <Real T>
+[[nodiscard]] inline bool hits(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
+  if (!predicates::is_plain(ray, sphere)) return exact::hits(ray, sphere);
+  const predicates::SphereVerdict verdict = predicates::verdict(predicates::sphere_terms(ray, sphere), ray);
+  if (verdict.kind != SphereKind::invalid) return verdict.kind == SphereKind::secant;
+  return exact::hits(ray, sphere);
+}
+
+}  // namespace graze
