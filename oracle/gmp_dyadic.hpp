@@ -18,12 +18,13 @@ namespace graze::oracle::gmp {
 template <Real T>
 struct Format {
   using Bits = std::conditional_t<std::same_as<T, double>, std::uint64_t, std::uint32_t>;
-  static constexpr int kDigits = std::numeric_limits<T>::digits;                     ///< of the significand: 53, 24
-  static constexpr int kMaxExponent = std::numeric_limits<T>::max_exponent - 1;      ///< largest e with 2^e finite: 1023, 127
-  static constexpr int kMinUlp = std::numeric_limits<T>::min_exponent - kDigits;     ///< 2^kMinUlp is the least number: -1074, -149
-  static constexpr Bits kSignBit = Bits(1) << (8 * sizeof(T) - 1);                   ///< 1 for negative numbers
-  static constexpr Bits kInfinity = Bits(2 * kMaxExponent + 1) << (kDigits - 1);     ///< the bits of +infinity
-  static constexpr Bits kFraction = (Bits(1) << (kDigits - 1)) - 1;                  ///< the stored part of the significand
+  static constexpr int kDigits = std::numeric_limits<T>::digits;                 ///< of the significand: 53, 24
+  static constexpr int kMaxExponent = std::numeric_limits<T>::max_exponent - 1;  ///< largest e with 2^e finite: 1023, 127
+  static constexpr int kMinUlp =
+      std::numeric_limits<T>::min_exponent - kDigits;               ///< 2^kMinUlp is the least number: -1074, -149
+  static constexpr Bits kSignBit = Bits(1) << (8 * sizeof(T) - 1);  ///< 1 for negative numbers
+  static constexpr Bits kInfinity = Bits(2 * kMaxExponent + 1) << (kDigits - 1);  ///< the bits of +infinity
+  static constexpr Bits kFraction = (Bits(1) << (kDigits - 1)) - 1;               ///< the stored part of the significand
 };
 
 /// An integer that orders finite numbers and infinities as their values are ordered; 0 for both zeros.

@@ -7,7 +7,9 @@
 namespace graze::oracle::gmp {
 namespace {
 
-[[nodiscard]] long bit_length(const mpz_class& x) { return sgn(x) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); }
+[[nodiscard]] long bit_length(const mpz_class& x) {
+  return sgn(x) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
+}
 
 void shift_left(mpz_class& out, const mpz_class& x, long bits) {
   mpz_mul_2exp(out.get_mpz_t(), x.get_mpz_t(), static_cast<mp_bitcnt_t>(bits));
@@ -92,7 +94,9 @@ void truncate_root(Truncated& out, const mpz_class& b, int root_sign, const mpz_
   }
 }
 
-long floor_log2(const Truncated& x) { return bit_length(x.head) - 1 + x.exponent; }
+long floor_log2(const Truncated& x) {
+  return bit_length(x.head) - 1 + x.exponent;
+}
 
 template <Real T>
 T nearest(const Truncated& x) {

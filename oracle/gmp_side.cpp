@@ -1,4 +1,5 @@
 // The side of an implicit surface: the sign of a sum of products of the inputs, in integers.
+#include "oracle/gmp_fraction.hpp"
 #include "oracle/gmp_queries.hpp"
 #include "oracle/gmp_status.hpp"
 #include "oracle/gmp_vector.hpp"
@@ -29,19 +30,19 @@ namespace {
 }  // namespace
 
 template <Real T>
-Side side(const Vec2<T>& point, const Line<T>& line) {
+Side Queries::side(const Vec2<T>& point, const Line<T>& line) {
   if (const Status status = status_of(point, line); status != Status::ok) return {status, Sign::zero};
   return affine_side({dyadic(line.a), dyadic(line.b), Dyadic{}}, {dyadic(point.x), dyadic(point.y), Dyadic{}}, dyadic(line.c));
 }
 
 template <Real T>
-Side side(const Vec3<T>& point, const Plane<T>& plane) {
+Side Queries::side(const Vec3<T>& point, const Plane<T>& plane) {
   if (const Status status = status_of(point, plane); status != Status::ok) return {status, Sign::zero};
   return affine_side({dyadic(plane.a), dyadic(plane.b), dyadic(plane.c)}, dyadic(point), dyadic(plane.d));
 }
 
 template <Real T>
-Side side(const Vec3<T>& point, const Sphere<T>& sphere) {
+Side Queries::side(const Vec3<T>& point, const Sphere<T>& sphere) {
   if (const Status status = status_of(point, sphere); status != Status::ok) return {status, Sign::zero};
   thread_local Vector scaled_point, from_center;
   thread_local mpz_class radius, value;
@@ -58,11 +59,11 @@ Side side(const Vec3<T>& point, const Sphere<T>& sphere) {
   return side_of_sign(sgn(value));
 }
 
-template Side side(const Vec2<float>&, const Line<float>&);
-template Side side(const Vec2<double>&, const Line<double>&);
-template Side side(const Vec3<float>&, const Plane<float>&);
-template Side side(const Vec3<double>&, const Plane<double>&);
-template Side side(const Vec3<float>&, const Sphere<float>&);
-template Side side(const Vec3<double>&, const Sphere<double>&);
+template Side Queries::side(const Vec2<float>&, const Line<float>&);
+template Side Queries::side(const Vec2<double>&, const Line<double>&);
+template Side Queries::side(const Vec3<float>&, const Plane<float>&);
+template Side Queries::side(const Vec3<double>&, const Plane<double>&);
+template Side Queries::side(const Vec3<float>&, const Sphere<float>&);
+template Side Queries::side(const Vec3<double>&, const Sphere<double>&);
 
 }  // namespace graze::oracle::gmp

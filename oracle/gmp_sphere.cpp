@@ -85,7 +85,7 @@ template <Real T>
 }  // namespace
 
 template <Real T>
-SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere, ExactSphere* exact) {
+SphereHit<T> Queries::intersect(const Ray<T>& ray, const Sphere<T>& sphere, ExactSphere* exact) {
   SphereHit<T> hit;
   hit.status = status_of(ray, sphere);
   if (hit.status != Status::ok) {
@@ -118,7 +118,7 @@ SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere, ExactSphere* 
   return hit;
 }
 
-template SphereHit<float> intersect(const Ray<float>&, const Sphere<float>&, ExactSphere*);
-template SphereHit<double> intersect(const Ray<double>&, const Sphere<double>&, ExactSphere*);
+template SphereHit<float> Queries::intersect(const Ray<float>&, const Sphere<float>&, ExactSphere*);
+template SphereHit<double> Queries::intersect(const Ray<double>&, const Sphere<double>&, ExactSphere*);
 
 }  // namespace graze::oracle::gmp

@@ -24,6 +24,8 @@ void set_triangle(IntegerTriangle& out, const Ray<T>& ray, const Triangle<T>& tr
   scale(out.c, c, unit);
   subtract(out.edge_b, out.b, out.a);
   subtract(out.edge_c, out.c, out.a);
+  cross(out.d_cross_edge_c, out.direction, out.edge_c);
+  dot(out.determinant, out.edge_b, out.d_cross_edge_c);
 }
 
 /// The feature of the triangle that a point lies on, from the signs of its barycentric coordinates, none of them negative.
@@ -65,25 +67,24 @@ void set_exact(ExactTriangle& exact, const CommonPart& part, int exponent) {
 
 }  // namespace
 
-void intersect_crossing(CommonPart& out, const IntegerTriangle& triangle, const mpz_class& determinant, const Range& range) {
+void intersect_crossing(CommonPart& out, const IntegerTriangle& triangle, const Range& range) {
   // From s = e - a: u = s . (d x E2), v = d . (s x E1), t = E2 . (s x E1), each over the determinant E1 . (d x E2).
-  thread_local Vector s, d_cross_edge, s_cross_edge;
+  thread_local Vector s, s_cross_edge;
   thread_local mpz_class w;
   out.kind = TriangleKind::miss;
-  const int facing = sgn(determinant);
+  const int facing = sgn(triangle.determinant);
   subtract(s, triangle.origin, triangle.a);
-  cross(d_cross_edge, triangle.direction, triangle.edge_c);
-  dot(out.u.num, s, d_cross_edge);
+  dot(out.u.num, s, triangle.d_cross_edge_c);
   if (sgn(out.u.num) * facing < 0) return;
   cross(s_cross_edge, s, triangle.edge_b);
   dot(out.v.num, triangle.direction, s_cross_edge);
   if (sgn(out.v.num) * facing < 0) return;
-  mpz_sub(w.get_mpz_t(), determinant.get_mpz_t(), out.u.num.get_mpz_t());
+  mpz_sub(w.get_mpz_t(), triangle.determinant.get_mpz_t(), out.u.num.get_mpz_t());
   mpz_sub(w.get_mpz_t(), w.get_mpz_t(), out.v.num.get_mpz_t());
   if (sgn(w) * facing < 0) return;
   dot(out.t.num, triangle.edge_c, s_cross_edge);
   for (Fraction* value : {&out.t, &out.u, &out.v}) {
-    value->den = determinant;
+    value->den = triangle.determinant;
     make_denominator_positive(*value);
   }
   if (!contains(range, out.t, triangle.exponent)) return;
@@ -97,7 +98,7 @@ bool clip(CommonPart& out, const Range& range, int exponent) {
 }
 
 template <Real T>
-TriangleHit<T> intersect(const Ray<T>& ray, const Triangle<T>& triangle, ExactTriangle* exact) {
+TriangleHit<T> Queries::intersect(const Ray<T>& ray, const Triangle<T>& triangle, ExactTriangle* exact) {
   TriangleHit<T> hit;
   hit.status = status_of(ray, triangle);
   if (hit.status != Status::ok) {
@@ -105,28 +106,27 @@ TriangleHit<T> intersect(const Ray<T>& ray, const Triangle<T>& triangle, ExactTr
     return hit;
   }
   thread_local IntegerTriangle integers;
-  thread_local Vector normal;
-  thread_local mpz_class determinant;
   thread_local CommonPart part;
   const Range range = range_of(ray);
   set_triangle(integers, ray, triangle);
-  cross(normal, integers.edge_b, integers.edge_c);
-  dot(determinant, integers.direction, normal);
-  mpz_neg(determinant.get_mpz_t(), determinant.get_mpz_t());
-  if (sgn(determinant) != 0) {
-    hit.facing = sgn(determinant) > 0 ? Facing::front : Facing::back;
-    intersect_crossing(part, integers, determinant, range);
-  } else if (!is_zero(normal)) {
-    intersect_parallel(part, integers, normal, range);
+  if (const int sign = sgn(integers.determinant); sign != 0) {
+    hit.facing = sign > 0 ? Facing::front : Facing::back;
+    intersect_crossing(part, integers, range);
   } else {
-    intersect_degenerate(part, integers, range);
+    thread_local Vector normal;
+    cross(normal, integers.edge_b, integers.edge_c);
+    if (is_zero(normal)) {
+      intersect_degenerate(part, integers, range);
+    } else {
+      intersect_parallel(part, integers, normal, range);
+    }
   }
   round(hit, part, integers.exponent);
   if (exact != nullptr) set_exact(*exact, part, integers.exponent);
   return hit;
 }
 
-template TriangleHit<float> intersect(const Ray<float>&, const Triangle<float>&, ExactTriangle*);
-template TriangleHit<double> intersect(const Ray<double>&, const Triangle<double>&, ExactTriangle*);
+template TriangleHit<float> Queries::intersect(const Ray<float>&, const Triangle<float>&, ExactTriangle*);
+template TriangleHit<double> Queries::intersect(const Ray<double>&, const Triangle<double>&, ExactTriangle*);
 
 }  // namespace graze::oracle::gmp

@@ -11,6 +11,8 @@ namespace graze::oracle::gmp {
 struct IntegerTriangle {
   Vector origin, direction, a, b, c;
   Vector edge_b, edge_c;  ///< b - a and c - a
+  Vector d_cross_edge_c;  ///< direction x (c - a)
+  mpz_class determinant;  ///< (b - a) . (d x (c - a)) = -(d . n)
   int exponent = 0;
 };
 
@@ -20,10 +22,10 @@ struct CommonPart {
   Fraction t, t_end, u, v;
 };
 
-/// The ray's line crosses the triangle's plane in one point: determinant = -(d . n) is not zero.
-void intersect_crossing(CommonPart& out, const IntegerTriangle& triangle, const mpz_class& determinant, const Range& range);
+/// The ray's line crosses the triangle's plane in one point: the determinant is not zero.
+void intersect_crossing(CommonPart& out, const IntegerTriangle& triangle, const Range& range);
 
-/// d . n is zero and the normal n is not.
+/// The determinant is zero and the normal is not.
 void intersect_parallel(CommonPart& out, const IntegerTriangle& triangle, const Vector& normal, const Range& range);
 
 /// The three corners lie on one line.

@@ -47,9 +47,13 @@ inline void cross(Vector& out, const Vector& a, const Vector& b) {
   for (std::size_t i = 0; i < 3; ++i) cross(out[i], a, b, i);
 }
 
-[[nodiscard]] inline bool is_zero(const Vector& v) { return sgn(v[0]) == 0 && sgn(v[1]) == 0 && sgn(v[2]) == 0; }
+[[nodiscard]] inline bool is_zero(const Vector& v) {
+  return sgn(v[0]) == 0 && sgn(v[1]) == 0 && sgn(v[2]) == 0;
+}
 
 /// The first axis on which v does not vanish; v is not zero.
-[[nodiscard]] inline std::size_t nonzero_axis(const Vector& v) { return sgn(v[0]) != 0 ? 0 : sgn(v[1]) != 0 ? 1 : 2; }
+[[nodiscard]] inline std::size_t nonzero_axis(const Vector& v) {
+  return sgn(v[0]) != 0 ? 0 : sgn(v[1]) != 0 ? 1 : 2;
+}
 
 }  // namespace graze::oracle::gmp

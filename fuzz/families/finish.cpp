@@ -104,15 +104,13 @@ template <Real T, class AnyDraft>
 LabelledCase<T> finish_draft(AnyDraft draft, Random& random, const Plan& plan) {
   apply_symmetry(draft, random);
   if constexpr (std::same_as<AnyDraft, TriangleDraft>) permute_corners(draft, random);
-  int bits = std::max(position_bits(draft), plan.shared_position_bits);
+  const bool is_shared = plan.shared_position_bits != 0;
   if (plan.translate && random.one_in(2)) {
-    apply_translation(draft, random, bits, digits<T>);
-    bits = std::max(position_bits(draft), std::min(bits + 1, digits<T>));
-    if (plan.shared_position_bits != 0) bits = digits<T> + 1;
+    apply_translation(draft, random, is_shared ? plan.shared_position_bits : position_bits(draft), digits<T>);
   }
 
   ScaleRequest request;
-  request.position_bits = bits;
+  request.position_bits = is_shared ? std::max(plan.shared_position_bits, digits<T>) + 1 : position_bits(draft);
   request.direction_bits = bit_length(draft.direction);
   request.reach = plan.reach;
   request.one_scale = plan.one_scale;

@@ -40,8 +40,8 @@ template <Real T>
 template <Real T>
 [[nodiscard]] inline SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   if (!predicates::is_plain(ray, sphere)) return exact::intersect(ray, sphere);
-  const predicates::SphereTerms terms = predicates::sphere_terms(ray, sphere);
-  const predicates::SphereVerdict verdict = predicates::verdict(terms, ray);
+  predicates::SphereTerms terms = predicates::sphere_terms(ray, sphere);
+  const predicates::SphereVerdict verdict = predicates::verdict(terms, ray, sphere);
   if (verdict.kind == SphereKind::miss) {
     SphereHit<T> hit;
     hit.origin = verdict.origin;
@@ -55,7 +55,8 @@ template <Real T>
 template <Real T>
 [[nodiscard]] inline bool hits(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   if (!predicates::is_plain(ray, sphere)) return exact::hits(ray, sphere);
-  const predicates::SphereVerdict verdict = predicates::verdict(predicates::sphere_terms(ray, sphere), ray);
+  predicates::SphereTerms terms = predicates::sphere_terms(ray, sphere);
+  const predicates::SphereVerdict verdict = predicates::verdict(terms, ray, sphere);
   if (verdict.kind != SphereKind::invalid) return verdict.kind == SphereKind::secant;
   return exact::hits(ray, sphere);
 }

@@ -16,12 +16,15 @@ class Quotient {
   Quotient(const Integer<N>& numerator, const Integer<N>& denominator, int scale) noexcept
       : numerator_(denominator.is_negative() ? -numerator : numerator),
         denominator_(abs(denominator)),
-        scale_(scale),
-        approximation_(quotient(leading(numerator_), leading(denominator_))) {
-    approximation_.exponent += scale;
-  }
+        scale_(scale) {}
 
-  [[nodiscard]] const Approximation& approximation() const noexcept { return approximation_; }
+  [[nodiscard]] int sign() const noexcept { return numerator_.sign(); }
+
+  [[nodiscard]] Approximation approximation() const noexcept {
+    Approximation q = quotient(leading(numerator_), leading(denominator_));
+    q.exponent += scale_;
+    return q;
+  }
 
   /// The sign of n/d 2^scale - x = (n 2^-q - m d) ... for x = m 2^(q + scale) next to the value. There n 2^-q (or m d 2^q) is as
   /// large as m d (or n), below 2^(64 N - 1 + 54) and a little, so N + 2 limbs hold both sides.
@@ -46,7 +49,6 @@ class Quotient {
  private:
   Integer<N> numerator_, denominator_;
   int scale_;
-  Approximation approximation_;
 };
 
 }  // namespace graze::exact

@@ -9,41 +9,34 @@ using numeric::Approximation;
 using numeric::Dyadic;
 using numeric::Integer;
 
-/// Coefficients of K-limb coordinates, and what both roots share. |A|, |B|, |C| < 2^(128 K - 2).
+/// The roots' common ground, over integers of K-limb coordinates. |A|, |B|, |C| < 2^(128 K - 2).
 template <int K>
-class Quadratic {
- public:
-  Quadratic(const Integer<2 * K>& a, const Integer<2 * K>& b, const Integer<2 * K>& c, const Integer<4 * K>& discriminant,
-            int scale) noexcept
-      : a(a), b(b), c(c), scale(scale), leading_a_(leading(a)), leading_c_(leading(c)), b_is_negative_(b.is_negative()) {
-    // q = B + sgn+(B) sqrt(D), with sgn+(0) = 1: no cancellation, and not zero because D > 0.
-    Approximation leading_b = leading(b);
-    q_ = add_magnitudes(leading_b, square_root(leading(discriminant)));
-  }
-
-  /// C / q is the root nearer to zero, q / A the farther one; the nearer is the first root where B >= 0.
-  [[nodiscard]] Approximation root(bool second) const noexcept {
-    const bool far = second != b_is_negative_;
-    Approximation t = far ? quotient(q_, leading_a_) : quotient(leading_c_, q_);
-    t.exponent += scale;
-    return t;
-  }
-
+struct Quadratic {
   Integer<2 * K> a, b, c;
+  Integer<4 * K> discriminant;
   int scale;
-
- private:
-  Approximation leading_a_, leading_c_, q_;
-  bool b_is_negative_;
 };
 
 template <int K>
 class QuadraticRoot {
  public:
-  QuadraticRoot(const Quadratic<K>& quadratic, bool second) noexcept
-      : quadratic_(quadratic), second_(second), approximation_(quadratic.root(second)) {}
+  QuadraticRoot(const Quadratic<K>& quadratic, bool second) noexcept : quadratic_(quadratic), second_(second) {}
 
-  [[nodiscard]] const Approximation& approximation() const noexcept { return approximation_; }
+  /// Between the roots where C < 0; otherwise both lie on B's side, and where C = 0 the one nearer to zero is zero.
+  [[nodiscard]] int sign() const noexcept {
+    const int b = quadratic_.b.sign(), c = quadratic_.c.sign();
+    if (c < 0) return second_ ? 1 : -1;
+    return c == 0 && is_near() ? 0 : b;
+  }
+
+  /// With q = B + sgn+(B) sqrt(D), sgn+(0) = 1: C / q is the root nearer to zero, q / A the farther. Nothing cancels, and q is not
+  /// zero because D > 0.
+  [[nodiscard]] Approximation approximation() const noexcept {
+    const Approximation q = add_magnitudes(leading(quadratic_.b), square_root(leading(quadratic_.discriminant)));
+    Approximation t = is_near() ? quotient(leading(quadratic_.c), q) : quotient(q, leading(quadratic_.a));
+    t.exponent += quadratic_.scale;
+    return t;
+  }
 
   /// The sign of root - x, from the signs of g = A x - B and f = A x^2 - 2 B x + C:
   /// t1 > x where g < 0 and f > 0, t2 > x where g < 0 or f < 0; the root is x where f = 0 on its side of the vertex.
@@ -79,9 +72,11 @@ class QuadraticRoot {
   }
 
  private:
+  /// The first root is the nearer one where sgn+(B) = 1.
+  [[nodiscard]] bool is_near() const noexcept { return second_ == quadratic_.b.is_negative(); }
+
   const Quadratic<K>& quadratic_;
   bool second_;
-  Approximation approximation_;
 };
 
 }  // namespace graze::exact

@@ -50,7 +50,7 @@ SphereBits answer(const SphereInput& in, int position_unit, int direction_unit, 
     if (wanted == Wanted::numbers) out.t[0] = round_to_bits(t, format);
     return out;
   }
-  const Quadratic<K> quadratic(a, b, c, discriminant, scale);
+  const Quadratic<K> quadratic{a, b, c, discriminant, scale};
   const QuadraticRoot<K> first(quadratic, false), second(quadratic, true);
   const bool has_first = in.range.contains(first), has_second = in.range.contains(second);
   if (!has_first && !has_second) return out;

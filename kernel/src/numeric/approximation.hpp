@@ -34,15 +34,33 @@ template <int N>
   return {mantissa, 64 * i - shift, a.is_negative() ? -1 : 1};
 }
 
-/// n / d for truncated leading bits; d is not zero. The relative error of each input is below 2^-63, the division drops less
-/// than one unit: at most 1 + 2 (2 + 2) units of a mantissa that was shifted by up to one bit.
+/// A hint of the integer x / 2^11 for a mantissa x: exact in every rounding mode.
+[[nodiscard]] inline double hint(std::uint64_t mantissa) noexcept { return static_cast<double>(static_cast<std::int64_t>(mantissa >> 11)); }
+
+/// The integer part of x in [2^62, 2^64).
+[[nodiscard]] inline std::uint64_t to_integer(double x) noexcept {
+  return static_cast<std::uint64_t>(static_cast<std::int64_t>(x * 0x1p-2)) << 2;
+}
+
+/// base + rest / d, within a unit, for |rest| < 2^79 and d >= 2^62: a double holds the step to far below a unit. Clamped to [2^63, 2^64).
+[[nodiscard]] inline std::uint64_t corrected(std::uint64_t base, SignedWide rest, double d) noexcept {
+  const auto step = static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(rest >> 16)) * 0x1p16 / d);
+  const SignedWide sum = SignedWide(base) + step;
+  const SignedWide top = SignedWide(~std::uint64_t(0)), bottom = SignedWide(std::uint64_t(1) << 63);
+  return static_cast<std::uint64_t>(sum > top ? top : sum < bottom ? bottom : sum);
+}
+
+/// n / d for n and d within 4 units and one of them within 1; d is not zero. The relative error of the inputs is below 5 / 2^63, so 10
+/// units of the quotient, the division itself errs by 2. A double's quotient, good to 2^-50 in every rounding mode, is
+/// corrected once by the remainder in integers.
 [[nodiscard]] inline Approximation quotient(const Approximation& n, const Approximation& d) noexcept {
   if (n.sign == 0) return {};
-  const bool less = n.mantissa < d.mantissa;
-  // With n < d the quotient n 2^64 / d has 64 bits; otherwise n 2^63 / d has.
-  const Wide dividend = less ? Wide(n.mantissa) << 64 : Wide(n.mantissa) << 63;
-  const auto q = static_cast<std::uint64_t>(dividend / d.mantissa);
-  return {q, n.exponent - d.exponent - (less ? 64 : 63), n.sign * d.sign};
+  // n 2^shift / d has 64 bits.
+  const int shift = n.mantissa < d.mantissa ? 64 : 63;
+  const double guess = hint(n.mantissa) / hint(d.mantissa) * (shift == 64 ? 0x1p64 : 0x1p63);
+  const std::uint64_t base = guess >= 0x1.fffffffffffffp63 ? ~std::uint64_t(0) : to_integer(guess);
+  const auto rest = static_cast<SignedWide>((Wide(n.mantissa) << shift) - Wide(base) * d.mantissa);
+  return {corrected(base, rest, hint(d.mantissa) * 0x1p11), n.exponent - d.exponent - shift, n.sign * d.sign};
 }
 
 /// The square root of a positive value known by truncated leading bits, within 2 units.
@@ -51,16 +69,11 @@ template <int N>
   // m 2^e = (m 2^s) 2^(e - s) with e - s even and m 2^s in [2^126, 2^128): the root has 64 bits.
   const int s = ((a.exponent & 1) == 0) ? 64 : 63;
   const Wide x = Wide(a.mantissa) << s;
-  // A double's root is a hint, good to 2^-51 in every rounding mode; one Newton step in integers makes it good to a unit.
-  const double hint = std::sqrt(static_cast<double>(a.mantissa)) * (s == 64 ? 0x1p32 : 0x1.6a09e667f3bcdp31);
-  const std::uint64_t r = hint >= 0x1.fffffffffffffp63 ? ~std::uint64_t(0) : static_cast<std::uint64_t>(hint);
-  const auto rest = static_cast<SignedWide>(x - Wide(r) * r);
-  // |rest| < 2^79 and |step| < 2^15: a double holds the step to far below a unit.
-  const auto step = static_cast<std::int64_t>(static_cast<double>(rest) / (2 * static_cast<double>(r)));
-  const SignedWide root = SignedWide(r) + step;
-  const SignedWide top = SignedWide(~std::uint64_t(0)), bottom = SignedWide(std::uint64_t(1) << 63);
-  const auto clamped = static_cast<std::uint64_t>(root > top ? top : root < bottom ? bottom : root);
-  return {clamped, (a.exponent - s) / 2, 1};
+  // As in `quotient`: a double's root, corrected by one Newton step in integers.
+  const double guess = std::sqrt(hint(a.mantissa)) * (s == 64 ? 0x1.6a09e667f3bcdp37 : 0x1p37);
+  const std::uint64_t base = guess >= 0x1.fffffffffffffp63 ? ~std::uint64_t(0) : to_integer(guess);
+  const auto rest = static_cast<SignedWide>(x - Wide(base) * base);
+  return {corrected(base, rest, 2 * guess), (a.exponent - s) / 2, 1};
 }
 
 /// |a| + |b| with a's sign; the error in units is at most the larger of the two plus two.

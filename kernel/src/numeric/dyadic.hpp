@@ -21,18 +21,17 @@ struct Dyadic {
   [[nodiscard]] constexpr int top() const noexcept { return exponent + std::bit_width(mantissa); }
 };
 
-/// The dyadic number that a finite x stands for.
+/// The dyadic number that a finite x stands for. Without branches: data with zeros in it is not predictable.
 template <Real T>
 [[nodiscard]] constexpr Dyadic dyadic(T x) noexcept {
   using Format = FormatOf<T>;
   const std::uint64_t magnitude = magnitude_bits(x);
-  if (magnitude == 0) return {};
   const int fraction_bits = Format::precision - 1;
   const auto field = static_cast<int>(magnitude >> fraction_bits);
   const std::uint64_t fraction = magnitude & ((std::uint64_t(1) << fraction_bits) - 1);
-  const std::uint64_t mantissa = field == 0 ? fraction : fraction | (std::uint64_t(1) << fraction_bits);
-  const int trailing = std::countr_zero(mantissa);
-  return {mantissa >> trailing, Format::least_exponent + (field == 0 ? 0 : field - 1) + trailing, (bits_of(x) & sign_bit<T>) != 0};
+  const std::uint64_t mantissa = fraction | (static_cast<std::uint64_t>(field != 0) << fraction_bits);
+  const int trailing = std::countr_zero(mantissa) & 63;
+  return {mantissa >> trailing, Format::least_exponent + field - (field != 0) + trailing, (bits_of(x) & sign_bit<T>) != 0};
 }
 
 struct DyadicVec3 {
@@ -46,21 +45,20 @@ template <Real T>
 
 /// The span of bit positions that a set of numbers uses: they are integers of `width()` bits in units of 2^low.
 struct Extent {
-  int low = 0, high = 0;
-  bool empty = true;
+  static constexpr int none = 1 << 20;
+  int low = none, high = -none;
 
   constexpr void include(const Dyadic& d) noexcept {
-    if (d.is_zero()) return;
-    const int top = d.top();
-    if (empty || d.exponent < low) low = d.exponent;
-    if (empty || top > high) high = top;
-    empty = false;
+    const int bottom = d.is_zero() ? none : d.exponent, top = d.is_zero() ? -none : d.top();
+    low = bottom < low ? bottom : low;
+    high = top > high ? top : high;
   }
   constexpr void include(const DyadicVec3& v) noexcept {
     include(v.x);
     include(v.y);
     include(v.z);
   }
+  /// Not positive for a set of zeros.
   [[nodiscard]] constexpr int width() const noexcept { return high - low; }
 };
 

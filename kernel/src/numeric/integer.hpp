@@ -16,6 +16,35 @@ namespace graze::numeric {
 __extension__ using Wide = unsigned __int128;
 __extension__ using SignedWide = __int128;
 
+/// a + b + carry to `sum`; returns the carry out.
+[[nodiscard]] inline unsigned char add(std::uint64_t a, std::uint64_t b, unsigned char carry, std::uint64_t& sum) noexcept {
+#if defined(__x86_64__)
+  unsigned long long out;  // NOLINT(google-runtime-int): the builtin's type
+  const unsigned char next = __builtin_ia32_addcarryx_u64(carry, a, b, &out);
+  sum = out;
+  return next;
+#else
+  const Wide s = Wide(a) + b + carry;
+  sum = static_cast<std::uint64_t>(s);
+  return static_cast<unsigned char>(s >> 64);
+#endif
+}
+
+/// a - b - borrow to `difference`; returns the borrow out.
+[[nodiscard]] inline unsigned char subtract(std::uint64_t a, std::uint64_t b, unsigned char borrow,
+                                            std::uint64_t& difference) noexcept {
+#if defined(__x86_64__)
+  unsigned long long out;  // NOLINT(google-runtime-int): the builtin's type
+  const unsigned char next = __builtin_ia32_sbb_u64(borrow, a, b, &out);
+  difference = out;
+  return next;
+#else
+  const Wide s = Wide(a) - b - borrow;
+  difference = static_cast<std::uint64_t>(s);
+  return static_cast<unsigned char>((s >> 64) & 1);
+#endif
+}
+
 /// `limb[0]` is the least significant. Not initialised: these are large, and every operation writes all of its result.
 template <int N>
 struct Integer {
@@ -34,11 +63,7 @@ template <int N>
 [[nodiscard]] inline Integer<N> operator+(const Integer<N>& a, const Integer<N>& b) noexcept {
   Integer<N> r;
   unsigned char carry = 0;
-  for (int i = 0; i < N; ++i) {
-    const Wide s = Wide(a.limb[i]) + b.limb[i] + carry;
-    r.limb[i] = static_cast<std::uint64_t>(s);
-    carry = static_cast<unsigned char>(s >> 64);
-  }
+  for (int i = 0; i < N; ++i) carry = add(a.limb[i], b.limb[i], carry, r.limb[i]);
   return r;
 }
 
@@ -46,12 +71,15 @@ template <int N>
 [[nodiscard]] inline Integer<N> operator-(const Integer<N>& a, const Integer<N>& b) noexcept {
   Integer<N> r;
   unsigned char borrow = 0;
-  for (int i = 0; i < N; ++i) {
-    const Wide s = Wide(a.limb[i]) - b.limb[i] - borrow;
-    r.limb[i] = static_cast<std::uint64_t>(s);
-    borrow = static_cast<unsigned char>((s >> 64) & 1);
-  }
+  for (int i = 0; i < N; ++i) borrow = subtract(a.limb[i], b.limb[i], borrow, r.limb[i]);
   return r;
+}
+
+/// Subtracts b from the N limbs at `limb`, without the borrow out of them.
+template <int N>
+inline void subtract_from(std::uint64_t* limb, const Integer<N>& b) noexcept {
+  unsigned char borrow = 0;
+  for (int i = 0; i < N; ++i) borrow = subtract(limb[i], b.limb[i], borrow, limb[i]);
 }
 
 /// a where `negate` is false, -a where it is true.
@@ -59,12 +87,9 @@ template <int N>
 [[nodiscard]] inline Integer<N> negate_if(bool negate, const Integer<N>& a) noexcept {
   const std::uint64_t mask = negate ? ~std::uint64_t(0) : 0;
   Integer<N> r;
-  unsigned char carry = negate ? 1 : 0;
-  for (int i = 0; i < N; ++i) {
-    const Wide s = Wide(a.limb[i] ^ mask) + carry;
-    r.limb[i] = static_cast<std::uint64_t>(s);
-    carry = static_cast<unsigned char>(s >> 64);
-  }
+  // (a xor mask) - mask, with the mask as an integer of all ones or none.
+  unsigned char borrow = 0;
+  for (int i = 0; i < N; ++i) borrow = subtract(a.limb[i] ^ mask, mask, borrow, r.limb[i]);
   return r;
 }
 
@@ -88,29 +113,44 @@ template <int W, int N>
   return r;
 }
 
+/// The product of the limbs as unsigned integers.
+template <int N, int M>
+[[nodiscard]] inline Integer<N + M> unsigned_product(const Integer<N>& a, const Integer<M>& b) noexcept {
+  Integer<N + M> r;
+  for (int i = 0; i < N + M; ++i) r.limb[i] = 0;
+  for (int i = 0; i < N; ++i) {
+    // Inputs of a wide span are short mantissas between many zero limbs.
+    if (N > 3 && a.limb[i] == 0) continue;
+    std::uint64_t carry = 0;
+    for (int j = 0; j < M; ++j) {
+      const Wide s = Wide(a.limb[i]) * b.limb[j] + r.limb[i + j] + carry;
+      r.limb[i + j] = static_cast<std::uint64_t>(s);
+      carry = static_cast<std::uint64_t>(s >> 64);
+    }
+    r.limb[i + M] = carry;
+  }
+  return r;
+}
+
 /// The exact product; it always fits.
 template <int N, int M>
 [[nodiscard]] inline Integer<N + M> operator*(const Integer<N>& a, const Integer<M>& b) noexcept {
   if constexpr (N == 1 && M == 1) {
     const SignedWide p = SignedWide(static_cast<std::int64_t>(a.limb[0])) * static_cast<std::int64_t>(b.limb[0]);
     return {{static_cast<std::uint64_t>(p), static_cast<std::uint64_t>(static_cast<Wide>(p) >> 64)}};
+  } else if constexpr (N + M <= 6) {
+    // A negative a reads 2^(64 N) too large, which adds b 2^(64 N) to the product; likewise b.
+    Integer<N + M> r = unsigned_product(a, b);
+    const std::uint64_t a_mask = a.is_negative() ? ~std::uint64_t(0) : 0, b_mask = b.is_negative() ? ~std::uint64_t(0) : 0;
+    Integer<M> high_b;
+    for (int i = 0; i < M; ++i) high_b.limb[i] = b.limb[i] & a_mask;
+    Integer<N> high_a;
+    for (int i = 0; i < N; ++i) high_a.limb[i] = a.limb[i] & b_mask;
+    subtract_from(r.limb + N, high_b);
+    subtract_from(r.limb + M, high_a);
+    return r;
   } else {
-    const Integer<N> x = abs(a);
-    const Integer<M> y = abs(b);
-    Integer<N + M> r;
-    for (int i = 0; i < N + M; ++i) r.limb[i] = 0;
-    for (int i = 0; i < N; ++i) {
-      // Inputs of a wide span are short mantissas between many zero limbs.
-      if (N > 3 && x.limb[i] == 0) continue;
-      std::uint64_t carry = 0;
-      for (int j = 0; j < M; ++j) {
-        const Wide s = Wide(x.limb[i]) * y.limb[j] + r.limb[i + j] + carry;
-        r.limb[i + j] = static_cast<std::uint64_t>(s);
-        carry = static_cast<std::uint64_t>(s >> 64);
-      }
-      r.limb[i + M] = carry;
-    }
-    return negate_if(a.is_negative() != b.is_negative(), r);
+    return negate_if(a.is_negative() != b.is_negative(), unsigned_product(abs(a), abs(b)));
   }
 }
 
@@ -141,13 +181,14 @@ template <int N>
 template <int N>
 [[nodiscard]] inline Integer<N> integer(const Dyadic& d, int unit) noexcept {
   Integer<N> r;
-  for (int i = 0; i < N; ++i) r.limb[i] = 0;
-  if (d.mantissa == 0) return r;
-  const int shift = d.exponent - unit;
-  const int limbs = shift / 64, bits = shift % 64;
   if constexpr (N == 1) {
-    r.limb[0] = d.mantissa << bits;
+    // The shift is below 64, or nothing is shifted.
+    r.limb[0] = d.mantissa << ((d.exponent - unit) & 63);
   } else {
+    for (int i = 0; i < N; ++i) r.limb[i] = 0;
+    if (d.mantissa == 0) return r;
+    const int shift = d.exponent - unit;
+    const int limbs = shift / 64, bits = shift % 64;
     r.limb[limbs] = d.mantissa << bits;
     if (bits != 0 && limbs + 1 < N) r.limb[limbs + 1] = d.mantissa >> (64 - bits);
   }

@@ -18,14 +18,18 @@ struct Format {
 template <Real T>
 inline constexpr Format format_of{FormatOf<T>::precision, FormatOf<T>::least_exponent, FormatOf<T>::exponent_bits};
 
-/// An exact real value: `approximation()`, and `compare_near(x)`, the exact sign of value - x for a dyadic x that the
-/// approximation cannot tell from the value (neither of them zero), with at most 54 bits.
+/// An exact real value has
+///  - `sign()`;
+///  - `approximation()`, its leading bits;
+///  - `compare_near(x)`, the exact sign of value - x for a dyadic x of at most 54 bits that the approximation cannot tell from the
+///    value, neither of them zero.
 template <class Value>
 [[nodiscard]] inline int compare(const Value& value, const Dyadic& x) noexcept {
-  const Approximation a = value.approximation();
-  if (a.sign == 0 && x.is_zero()) return 0;
-  const int sign = compare(a, x);
-  return sign != 0 ? sign : value.compare_near(x);
+  const int sign = value.sign();
+  if (sign != x.sign()) return sign < x.sign() ? -1 : 1;
+  if (sign == 0) return 0;
+  const int order = compare(value.approximation(), x);
+  return order != 0 ? order : value.compare_near(x);
 }
 
 /// The number of the format nearest to the value, ties to even: its bits. Subnormal results and overflow to infinity

@@ -17,11 +17,12 @@ struct Coefficients {
 
 /// As they stand.
 Coefficients coefficients(const Ray<float>&, const Sphere<float>&, const SphereTerms& t) noexcept {
-  return {{t.a, 0}, {t.b, 0}, {t.c, 0}, {t.discriminant, 0}, 0x1p-49, t.b_error, t.c_error, t.discriminant_error};
+  const double b_size = __builtin_sqrt(t.a * t.c_size);
+  return {{t.a, 0}, {t.b, 0}, {t.c, 0}, {t.discriminant, 0}, 0x1p-49, 0x1p-49 * b_size, t.c_error, t.discriminant_error};
 }
 
 /// In double-double, L exact: A, B and C are sums of a few products, each step within 4 * 2^-106 of its terms, so 2^-100 of the sums of
-/// magnitudes A, 3 b_size, c_size is more than enough. D = B^2 - A C: B^2 <= A L.L, so every term is at most A c_size, and the errors
+/// magnitudes A, sqrt(A c_size), c_size is more than enough. D = B^2 - A C: B^2 <= A L.L, so every term is at most A c_size, and the errors
 /// add to less than 8 * 2^-100 A c_size.
 Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, const SphereTerms& t) noexcept {
   using namespace numeric;
@@ -32,7 +33,7 @@ Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, 
   const Pair c = dot(l, l) - two_product(sphere.radius, sphere.radius);
   const Pair discriminant = b * b - a * c;
   return {normalised(a), normalised(b), normalised(c), normalised(discriminant),
-          0x1p-100,      0x1p-98 * t.b_size, 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
+          0x1p-100,      0x1p-100 * __builtin_sqrt(t.a * t.c_size), 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
 }
 
 }  // namespace

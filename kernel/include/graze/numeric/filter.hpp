@@ -35,7 +35,7 @@ struct Ordinary<float> {
 
 template <Real T>
 [[nodiscard]] inline bool is_ordinary(double least, double greatest) noexcept {
-  return least >= Ordinary<T>::low && greatest <= Ordinary<T>::high;
+  return (least >= Ordinary<T>::low) & (greatest <= Ordinary<T>::high);
 }
 
 [[nodiscard]] inline double magnitude(double x) noexcept { return __builtin_fabs(x); }

@@ -51,13 +51,14 @@ enum class TriangleVerdict { miss, face, uncertain };
 template <Real T>
 [[nodiscard]] inline TriangleVerdict verdict(const TriangleTerms& terms, const Ray<T>& ray) noexcept {
   using namespace numeric;
-  const double sign = terms.determinant < 0 ? -1.0 : 1.0;
+  const double sign = __builtin_copysign(1.0, terms.determinant);
   const double whole = terms.determinant * sign, u = terms.u * sign, v = terms.v * sign, distance = terms.distance * sign;
-  if (!(terms.are_bounded && whole > terms.determinant_error)) return TriangleVerdict::uncertain;
+  if (!(terms.are_bounded & (whole > terms.determinant_error))) return TriangleVerdict::uncertain;
   // The two subtractions err by at most 2 unit (whole + |u| + |v|), less than a tenth of the bounds' sum.
   const double w = whole - u - v;
   const double w_error = 1.25 * (terms.determinant_error + terms.u_error + terms.v_error);
-  if (u < -terms.u_error || v < -terms.v_error || w < -w_error) return TriangleVerdict::miss;
+  // One branch, for a random ray's signs cannot be predicted one by one.
+  if ((u < -terms.u_error) | (v < -terms.v_error) | (w < -w_error)) return TriangleVerdict::miss;
 
   bool is_after = distance > terms.distance_error, is_before = distance < -terms.distance_error;
   if (!is_default_range(ray)) {
@@ -77,7 +78,7 @@ template <Real T>
     }
   }
   if (is_before) return TriangleVerdict::miss;
-  return u > terms.u_error && v > terms.v_error && w > w_error && is_after ? TriangleVerdict::face : TriangleVerdict::uncertain;
+  return (u > terms.u_error) & (v > terms.v_error) & (w > w_error) & is_after ? TriangleVerdict::face : TriangleVerdict::uncertain;
 }
 
 }  // namespace graze::predicates
