@@ -20,6 +20,8 @@ struct AExtreme {
 };
 }  // namespace
 
-Family a_extreme_family() { return family_of<AExtreme>(); }
+Family a_extreme_family() {
+  return family_of<AExtreme>();
+}
 
 }  // namespace graze::fuzz::construct

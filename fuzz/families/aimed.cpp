@@ -1,7 +1,7 @@
 // aimed. What users do by hand: random corners and centers with full mantissas, and a direction computed toward a corner, a
 // point of an edge or the silhouette. Pure cases aim at a corner whose difference to the origin is exact, so t = 1 and the
-// corner is promised. The others round the difference, the point of the edge, or the touching point, so the ray passes within an ulp or two of it, on
-// a side that only exact signs tell.
+// corner is promised. The others round the difference, the point of the edge, or the touching point, so the ray passes within
+// an ulp or two of it, on a side that only exact signs tell.
 #include <cmath>
 
 #include "fuzz/families/constructions.hpp"
@@ -142,6 +142,8 @@ struct Aimed {
 
 }  // namespace
 
-Family aimed_family() { return family_of<Aimed>(); }
+Family aimed_family() {
+  return family_of<Aimed>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -1,5 +1,5 @@
-// b-zero. d is orthogonal to c - e, so the origin is the line's closest point and B = 0: roots are +-sqrt(-C / A). r is the integer
-// root of |c - e|^2 or the next number (C the least there is of either sign), exactly it (a frame's length; tangent at
+// b-zero. d is orthogonal to c - e, so the origin is the line's closest point and B = 0: roots are +-sqrt(-C / A). r is the
+// integer root of |c - e|^2 or the next number (C the least there is of either sign), exactly it (a frame's length; tangent at
 // t = 0), or any other. The stable quadratic with a sign of 0 for B divides zero by zero or loses a root here.
 #include "fuzz/families/constructions.hpp"
 #include "fuzz/families/drafts.hpp"
@@ -62,6 +62,8 @@ struct BZero {
 };
 }  // namespace
 
-Family b_zero_family() { return family_of<BZero>(); }
+Family b_zero_family() {
+  return family_of<BZero>();
+}
 
 }  // namespace graze::fuzz::construct

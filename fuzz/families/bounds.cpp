@@ -27,8 +27,12 @@ template <Real T>
 DoubleVec widened(const Vec3<T>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
-DoubleVec minus(const DoubleVec& p, const DoubleVec& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-double dot(const DoubleVec& p, const DoubleVec& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+DoubleVec minus(const DoubleVec& p, const DoubleVec& q) {
+  return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+double dot(const DoubleVec& p, const DoubleVec& q) {
+  return p.x * q.x + p.y * q.y + p.z * q.z;
+}
 DoubleVec cross(const DoubleVec& p, const DoubleVec& q) {
   return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }

@@ -1,7 +1,7 @@
-// coplanar. Ray and triangle live on a two-dimensional integer grid that two lattice vectors lay into space: the ray crosses the
-// triangle, touches a corner, runs along an edge (toward it, from a corner, from on it, away from it), passes a grid step beside an edge,
-// or starts inside. On the grid the ray is clipped by the three edges in small integers, which promises the kind and both
-// ends. Four collinear grid points come up all the time. What breaks: the parallel test, and clipping at corners.
+// coplanar. Ray and triangle live on a two-dimensional integer grid that two lattice vectors lay into space: the ray crosses
+// the triangle, touches a corner, runs along an edge (toward it, from a corner, from on it, away from it), passes a grid step
+// beside an edge, or starts inside. On the grid the ray is clipped by the three edges in small integers, which promises the
+// kind and both ends. Four collinear grid points come up all the time. What breaks: the parallel test, and clipping at corners.
 #include "fuzz/families/constructions.hpp"
 #include "fuzz/families/drafts.hpp"
 #include "fuzz/families/finish.hpp"
@@ -14,10 +14,18 @@ namespace {
 struct GridVec {
   Int x = 0, y = 0;
 };
-GridVec operator+(const GridVec& p, const GridVec& q) { return {p.x + q.x, p.y + q.y}; }
-GridVec operator-(const GridVec& p, const GridVec& q) { return {p.x - q.x, p.y - q.y}; }
-GridVec operator*(Int s, const GridVec& p) { return {s * p.x, s * p.y}; }
-Int cross(const GridVec& p, const GridVec& q) { return p.x * q.y - p.y * q.x; }
+GridVec operator+(const GridVec& p, const GridVec& q) {
+  return {p.x + q.x, p.y + q.y};
+}
+GridVec operator-(const GridVec& p, const GridVec& q) {
+  return {p.x - q.x, p.y - q.y};
+}
+GridVec operator*(Int s, const GridVec& p) {
+  return {s * p.x, s * p.y};
+}
+Int cross(const GridVec& p, const GridVec& q) {
+  return p.x * q.y - p.y * q.x;
+}
 
 struct Grid {
   std::array<GridVec, 3> corner;
@@ -83,7 +91,9 @@ void choose_ray(Grid& grid, Random& random, int bits) {
 }
 
 /// num / den; den > 0.
-bool is_less(const Mark& p, const Mark& q) { return p.num * q.den < q.num * p.den; }
+bool is_less(const Mark& p, const Mark& q) {
+  return p.num * q.den < q.num * p.den;
+}
 
 /// Where the whole line runs inside: both ends, or a miss. The triangle has area.
 Promise<TriangleKind> clip(const Grid& grid) {
@@ -146,6 +156,8 @@ struct Coplanar {
 };
 }  // namespace
 
-Family coplanar_family() { return family_of<Coplanar>(); }
+Family coplanar_family() {
+  return family_of<Coplanar>();
+}
 
 }  // namespace graze::fuzz::construct

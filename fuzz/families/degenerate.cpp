@@ -1,7 +1,7 @@
-// degenerate. Triangles without area: corners at integer multiples of one lattice vector F, two or all three of them equal. The ray
-// crosses the segment at a multiple of F (inside, at an end, one step beyond), runs along its line toward it, away from it or from
-// within, runs parallel to it a unit aside, or passes it askew. A determinant is 0 for all of them, so kernels that only
-// test the determinant call them parallel and miss; others divide by it.
+// degenerate. Triangles without area: corners at integer multiples of one lattice vector F, two or all three of them equal. The
+// ray crosses the segment at a multiple of F (inside, at an end, one step beyond), runs along its line toward it, away from it
+// or from within, runs parallel to it a unit aside, or passes it askew. A determinant is 0 for all of them, so kernels that
+// only test the determinant call them parallel and miss; others divide by it.
 #include <algorithm>
 
 #include "fuzz/families/constructions.hpp"
@@ -55,7 +55,8 @@ TriangleDraft degenerate_draft(Random& random, int digits) {
   const bool is_point = *low == *high;
   switch (random.below(6)) {
     case 0: {  // along the line
-      const Int step = random.sign() * choose_full(random, random.one_in(2) ? 1 : 2);
+      const int sign = random.sign();
+      const Int step = sign * random.between(1, 3);
       draft.origin = at * f;
       draft.direction = step * f;
       draft.promise = {TriangleKind::degenerate, two_marks(make_mark(*low - at, step), make_mark(*high - at, step))};
@@ -98,6 +99,8 @@ struct Degenerate {
 };
 }  // namespace
 
-Family degenerate_family() { return family_of<Degenerate>(); }
+Family degenerate_family() {
+  return family_of<Degenerate>();
+}
 
 }  // namespace graze::fuzz::construct

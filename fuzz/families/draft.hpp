@@ -15,15 +15,21 @@ namespace graze::fuzz::construct {
 struct Mark {
   Int num = 0, den = 1;
 };
-[[nodiscard]] constexpr Mark make_mark(Int num, Int den) { return den < 0 ? Mark{-num, -den} : Mark{num, den}; }
+[[nodiscard]] constexpr Mark make_mark(Int num, Int den) {
+  return den < 0 ? Mark{-num, -den} : Mark{num, den};
+}
 
 /// Up to two parameters, in any order.
 struct Marks {
   std::array<Mark, 2> at{};
   int count = 0;
 };
-[[nodiscard]] constexpr Marks one_mark(Mark mark) { return {{mark, {}}, 1}; }
-[[nodiscard]] constexpr Marks two_marks(Mark first, Mark second) { return {{first, second}, 2}; }
+[[nodiscard]] constexpr Marks one_mark(Mark mark) {
+  return {{mark, {}}, 1};
+}
+[[nodiscard]] constexpr Marks two_marks(Mark first, Mark second) {
+  return {{first, second}, 2};
+}
 
 /// What is promised. With marks, `kind` is that of the whole line, and the marks are where it meets the shape (the point;
 /// both roots; both ends of the common part): the kind within a range follows. Without marks, `kind` is that of the ray
@@ -60,6 +66,14 @@ void each_position(TriangleDraft& draft, F f) {
   for (IntVec& corner : draft.corner) f(corner);
 }
 
+/// Turns the direction around: t becomes -t. A promise without marks is lost.
+template <class AnyDraft>
+void reverse(AnyDraft& draft) {
+  draft.direction = -draft.direction;
+  if (draft.promise.marks.count == 0) draft.promise.kind.reset();
+  for (Mark& mark : draft.promise.marks.at) mark.num = -mark.num;
+}
+
 /// The digits that the positions need, the radius included.
 [[nodiscard]] int position_bits(const SphereDraft& draft);
 [[nodiscard]] int position_bits(const TriangleDraft& draft);
@@ -72,7 +86,8 @@ void apply_symmetry(AnyDraft& draft, Random& random) {
   const std::uint64_t flips = random.bits();
   const auto apply = [&](IntVec& v) {
     IntVec moved;
-    for (int axis = 0; axis < 3; ++axis) moved[axis] = ((flips >> axis) & 1) != 0 ? -v[permutation[axis]] : v[permutation[axis]];
+    for (int axis = 0; axis < 3; ++axis)
+      moved[axis] = ((flips >> axis) & 1) != 0 ? -v[permutation[axis]] : v[permutation[axis]];
     v = moved;
   };
   apply(draft.direction);

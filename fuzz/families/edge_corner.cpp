@@ -1,7 +1,7 @@
 // edge-corner. P = a + (i E1 + j E2) / q and e = P - tau d: the ray passes a corner (i = j = 0 ...), an edge (i = 0, j = 0,
-// i + j = q), the face, or one lattice step beside an edge. q is a power of two, a multiple of three (u = 1/3) or any odd number;
-// everything is multiplied by q to stay on the lattice. Products of coordinates have twice the digits of the mantissa, and
-// the edge's determinant is 0 all the same.
+// i + j = q), the face, or one lattice step beside an edge. q is a power of two, a multiple of three (u = 1/3) or any odd
+// number; everything is multiplied by q to stay on the lattice. Products of coordinates have twice the digits of the mantissa,
+// and the edge's determinant is 0 all the same.
 #include "fuzz/families/constructions.hpp"
 #include "fuzz/families/drafts.hpp"
 #include "fuzz/families/finish.hpp"
@@ -38,6 +38,8 @@ struct EdgeCorner {
 };
 }  // namespace
 
-Family edge_corner_family() { return family_of<EdgeCorner>(); }
+Family edge_corner_family() {
+  return family_of<EdgeCorner>();
+}
 
 }  // namespace graze::fuzz::construct

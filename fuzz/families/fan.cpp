@@ -1,7 +1,7 @@
-// fan. Eight triangles around one hub corner; the ray passes the hub, a shared edge, or the inside of one triangle. Cases 8g to 8g + 7
-// are the eight triangles of fan g under one ray and one scale, so whoever runs them together sees whether a ray slips through
-// the cracks or hits twice: the hub is a corner of all eight, an edge point belongs to just two. The rim points lie in eight
-// directions of a lattice plane at random distances, pushed up and down along the ray's direction, so that seen along the
+// fan. Eight triangles around one hub corner; the ray passes the hub, a shared edge, or the inside of one triangle. Cases 8g to
+// 8g + 7 are the eight triangles of fan g under one ray and one scale, so whoever runs them together sees whether a ray slips
+// through the cracks or hits twice: the hub is a corner of all eight, an edge point belongs to just two. The rim points lie in
+// eight directions of a lattice plane at random distances, pushed up and down along the ray's direction, so that seen along the
 // ray the fan is flat and every promise is known. In nudged fans (three of four) only the ray is nudged.
 #include <algorithm>
 
@@ -19,9 +19,9 @@ struct Fan {
   std::array<IntVec, fan_size> rim;  ///< the hub is 0
   IntVec origin, direction;
   Marks marks;
-  Barycentric point;           ///< in the triangle `target`: hub, rim[target], rim[target + 1]
+  Barycentric point;  ///< in the triangle `target`: hub, rim[target], rim[target + 1]
   std::uint64_t target = 0;
-  bool is_flat = false;        ///< lattice vectors were dependent: no promise
+  bool is_flat = false;  ///< lattice vectors were dependent: no promise
 };
 
 Fan choose_fan(Random& random, int digits) {
@@ -95,6 +95,8 @@ struct FanFamily {
 
 }  // namespace
 
-Family fan_family() { return family_of<FanFamily>(); }
+Family fan_family() {
+  return family_of<FanFamily>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -1,8 +1,8 @@
 // far-small. Shapes whose distance is 2^10 to 2^60 times their size, hit on the boundary. Along an axis any ratio is exact: a
-// direction (alpha, 0, 0), a sphere with m^2 + n^2 = r^2 aside, or a triangle point with x = 0. In general directions the frame of a
-// small quaternion leaves most of the mantissa to the distance; where it needs more digits than there are the coordinates are
-// cut off and the promise with them. Others are near, but both lie far from zero: a common offset that uses up the mantissa,
-// so that c - e cancels. |d x L|^2 from rounded L, and B^2 - A C, lose the sphere altogether.
+// direction (alpha, 0, 0), a sphere with m^2 + n^2 = r^2 aside, or a triangle point with x = 0. In general directions the frame
+// of a small quaternion leaves most of the mantissa to the distance; where it needs more digits than there are the coordinates
+// are cut off and the promise with them. Others are near, but both lie far from zero: a common offset that uses up the
+// mantissa, so that c - e cancels. |d x L|^2 from rounded L, and B^2 - A C, lose the sphere altogether.
 #include "fuzz/families/constructions.hpp"
 #include "fuzz/families/drafts.hpp"
 #include "fuzz/families/finish.hpp"
@@ -108,6 +108,8 @@ struct FarSmall {
 
 }  // namespace
 
-Family far_small_family() { return family_of<FarSmall>(); }
+Family far_small_family() {
+  return family_of<FarSmall>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -85,16 +85,15 @@ std::optional<Kind> kind_in_range(const Promise<Kind>& promise, const Ray<T>& ra
 
 template <Real T>
 Label label_of(const SphereDraft& draft, const Ray<T>& ray, const Scale& scale) {
-  const bool is_distorted = scale.position[0] != scale.length || scale.position[1] != scale.length ||
-                            scale.position[2] != scale.length;
+  const bool is_distorted =
+      scale.position[0] != scale.length || scale.position[1] != scale.length || scale.position[2] != scale.length;
   Label label;
   if (!is_distorted) label.sphere = kind_in_range(draft.promise, ray, scale.t, false);
   return label;
 }
 template <Real T>
 Label label_of(const TriangleDraft& draft, const Ray<T>& ray, const Scale& scale) {
-  const bool is_interval =
-      draft.promise.kind == TriangleKind::coplanar || draft.promise.kind == TriangleKind::degenerate;
+  const bool is_interval = draft.promise.kind == TriangleKind::coplanar || draft.promise.kind == TriangleKind::degenerate;
   Label label;
   label.triangle = kind_in_range(draft.promise, ray, scale.t, is_interval);
   return label;

@@ -27,14 +27,18 @@ struct Plan {
   std::optional<int> t_exponent{};  ///< see ScaleRequest
   bool is_pure = true;              ///< else one or two numbers are nudged, and the label is dropped
   Nudged nudged = Nudged::anything;
-  int shared_position_bits = 0;     ///< cases that share a ray and a scale say the most digits of any of them
+  int shared_position_bits = 0;  ///< cases that share a ray and a scale say the most digits of any of them
 };
 
 /// Every fourth case is pure.
-[[nodiscard]] constexpr bool is_pure_index(std::uint64_t index) { return index % 4 == 0; }
+[[nodiscard]] constexpr bool is_pure_index(std::uint64_t index) {
+  return index % 4 == 0;
+}
 
 /// Families of both shapes alternate so that pure and nudged cases of both come up.
-[[nodiscard]] constexpr bool is_triangle_index(std::uint64_t index) { return (index / 4) % 2 == 1; }
+[[nodiscard]] constexpr bool is_triangle_index(std::uint64_t index) {
+  return (index / 4) % 2 == 1;
+}
 
 /// Draws only as many numbers as the plan and the promise's marks determine, so cases that agree in them share their ray.
 template <Real T>

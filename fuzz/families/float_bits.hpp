@@ -78,7 +78,7 @@ constexpr T scaled(Int n, int exponent, bool& exact) {
   }
   const int at = exponent + drop;  // the value is rest * 2^at, with rest < 2^digits and at >= least_exponent
   Bits<T> bits = static_cast<Bits<T>>(rest);
-  if (at + digits<T> > end_exponent<T>) {
+  if (at + digits < T >> end_exponent<T>) {
     exact = false;
     bits = infinity_bits<T> - 1;
   } else if (rest >= power_of_two(digits<T> - 1)) {

@@ -17,21 +17,41 @@ struct IntVec {
   bool operator==(const IntVec&) const = default;
 };
 
-constexpr IntVec operator+(const IntVec& p, const IntVec& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-constexpr IntVec operator-(const IntVec& p, const IntVec& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-constexpr IntVec operator-(const IntVec& p) { return {-p.x, -p.y, -p.z}; }
-constexpr IntVec operator*(Int s, const IntVec& p) { return {s * p.x, s * p.y, s * p.z}; }
-constexpr IntVec operator/(const IntVec& p, Int s) { return {p.x / s, p.y / s, p.z / s}; }
+constexpr IntVec operator+(const IntVec& p, const IntVec& q) {
+  return {p.x + q.x, p.y + q.y, p.z + q.z};
+}
+constexpr IntVec operator-(const IntVec& p, const IntVec& q) {
+  return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+constexpr IntVec operator-(const IntVec& p) {
+  return {-p.x, -p.y, -p.z};
+}
+constexpr IntVec operator*(Int s, const IntVec& p) {
+  return {s * p.x, s * p.y, s * p.z};
+}
+constexpr IntVec operator/(const IntVec& p, Int s) {
+  return {p.x / s, p.y / s, p.z / s};
+}
 
-constexpr Int dot(const IntVec& p, const IntVec& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+constexpr Int dot(const IntVec& p, const IntVec& q) {
+  return p.x * q.x + p.y * q.y + p.z * q.z;
+}
 constexpr IntVec cross(const IntVec& p, const IntVec& q) {
   return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
-constexpr bool is_zero(const IntVec& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
+constexpr bool is_zero(const IntVec& p) {
+  return p.x == 0 && p.y == 0 && p.z == 0;
+}
 
-constexpr Int magnitude(Int n) { return n < 0 ? -n : n; }
-constexpr int sign_of(Int n) { return (n > 0) - (n < 0); }
-constexpr Int power_of_two(int exponent) { return static_cast<Int>(1) << exponent; }
+constexpr Int magnitude(Int n) {
+  return n < 0 ? -n : n;
+}
+constexpr int sign_of(Int n) {
+  return (n > 0) - (n < 0);
+}
+constexpr Int power_of_two(int exponent) {
+  return static_cast<Int>(1) << exponent;
+}
 
 /// The number of binary digits of |n|; 0 for 0.
 constexpr int bit_length(Int n) {
@@ -58,7 +78,9 @@ constexpr Int gcd(Int a, Int b) {
   while (b != 0) a = std::exchange(b, a % b);
   return magnitude(a);
 }
-constexpr Int content(const IntVec& p) { return gcd(gcd(p.x, p.y), p.z); }
+constexpr Int content(const IntVec& p) {
+  return gcd(gcd(p.x, p.y), p.z);
+}
 
 /// p without its common factor; zero stays zero.
 constexpr IntVec primitive(const IntVec& p) {
@@ -102,7 +124,8 @@ constexpr Int integer_sqrt(Int n) {
   return root;
 }
 
-/// True only where the determinant of the rows is not zero: it is computed modulo 2^128, so a multiple of 2^128 passes for zero.
+/// True only where the determinant of the rows is not zero: it is computed modulo 2^128, so a multiple of 2^128 passes for
+/// zero.
 constexpr bool surely_independent(const IntVec& p, const IntVec& q, const IntVec& r) {
   const auto term = [](Int a, Int b, Int c) {
     return static_cast<UnsignedInt>(a) * static_cast<UnsignedInt>(b) * static_cast<UnsignedInt>(c);

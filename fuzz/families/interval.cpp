@@ -1,6 +1,7 @@
-// interval. Exact cases whose range [t_min, t_max] ends at, one ulp before, one ulp after and between the parameters of the hits, with
-// t_min = t_max, and with negative t_min. Pure cases are promised by comparing the ends with the exact t, representable or not: both
-// ends belong to the range, and comparing a rounded t with them instead is wrong for every t that is not representable.
+// interval. Exact cases whose range [t_min, t_max] ends at, one ulp before, one ulp after and between the parameters of the
+// hits, with t_min = t_max, and with negative t_min. Pure cases are promised by comparing the ends with the exact t,
+// representable or not: both ends belong to the range, and comparing a rounded t with them instead is wrong for every t that is
+// not representable.
 #include "fuzz/families/drafts.hpp"
 #include "fuzz/families/finish.hpp"
 #include "fuzz/families/registry.hpp"
@@ -30,6 +31,8 @@ struct Interval {
 };
 }  // namespace
 
-Family interval_family() { return family_of<Interval>(); }
+Family interval_family() {
+  return family_of<Interval>();
+}
 
 }  // namespace graze::fuzz::construct

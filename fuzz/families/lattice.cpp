@@ -1,8 +1,8 @@
-// lattice. The exhaustive small lattices as a stream, each in an order of its own that a seed chooses: all rays and triangles on
-// {0,1,2}^3 (13,817,466; four cases of eight), all coplanar rays and triangles on a grid of five by five (9,375,000; three of eight),
-// all rays and spheres of radius 0 to 3 on {0,1,2}^3 (75,816; one of eight). With all triangles come all permutations of corners
-// and all reflections of axes. After the last case of a list it starts over, and from then on everything is scaled by powers of
-// two. No random choice can leave a configuration out here; no case carries a promise.
+// lattice. The exhaustive small lattices as a stream, each in an order of its own that a seed chooses: all rays and triangles
+// on {0,1,2}^3 (13,817,466; four cases of eight), all coplanar rays and triangles on a grid of five by five (9,375,000; three
+// of eight), all rays and spheres of radius 0 to 3 on {0,1,2}^3 (75,816; one of eight). With all triangles come all
+// permutations of corners and all reflections of axes. After the last case of a list it starts over, and from then on
+// everything is scaled by powers of two. No random choice can leave a configuration out here; no case carries a promise.
 #include "fuzz/families/finish.hpp"
 #include "fuzz/families/registry.hpp"
 
@@ -33,7 +33,9 @@ class Picker {
 IntVec cube_point(std::uint64_t n) {
   return {static_cast<Int>(n % 3), static_cast<Int>(n / 3 % 3), static_cast<Int>(n / 9)};
 }
-IntVec grid_point(std::uint64_t n) { return {static_cast<Int>(n % 5), static_cast<Int>(n / 5), 0}; }
+IntVec grid_point(std::uint64_t n) {
+  return {static_cast<Int>(n % 5), static_cast<Int>(n / 5), 0};
+}
 
 constexpr std::uint64_t cube_triangles = 27 * 26 * 27 * 27 * 27;
 constexpr std::uint64_t grid_triangles = 25 * 24 * 25 * 25 * 25;
@@ -126,6 +128,8 @@ struct LatticeFamily {
 
 }  // namespace
 
-Family lattice_family() { return family_of<LatticeFamily>(); }
+Family lattice_family() {
+  return family_of<LatticeFamily>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -1,7 +1,8 @@
-// origin-on-surface. Spheres: c - e is the edge of an integer frame, so C = |c - e|^2 - r^2 is 0 exactly: t = 0 is a root, and B > 0,
-// B = 0 (tangent at the origin) and B < 0 decide what else there is; B = +-g, the least there is, comes from Bezout. Half of
-// the spheres have an r that is a unit off. Triangles: the origin is a corner, on an edge or inside, and t = 0. Secondary rays of
-// every renderer start like this. The sign of C must not come from rounded squares, and a root that rounds to -0 is not a hit.
+// origin-on-surface. Spheres: c - e is the edge of an integer frame, so C = |c - e|^2 - r^2 is 0 exactly: t = 0 is a root, and
+// B > 0, B = 0 (tangent at the origin) and B < 0 decide what else there is; B = +-g, the least there is, comes from Bezout.
+// Half of the spheres have an r that is a unit off. Triangles: the origin is a corner, on an edge or inside, and t = 0.
+// Secondary rays of every renderer start like this. The sign of C must not come from rounded squares, and a root that rounds to
+// -0 is not a hit.
 #include "fuzz/families/constructions.hpp"
 #include "fuzz/families/drafts.hpp"
 #include "fuzz/families/finish.hpp"
@@ -85,6 +86,8 @@ struct OriginOnSurface {
 };
 }  // namespace
 
-Family origin_on_surface_family() { return family_of<OriginOnSurface>(); }
+Family origin_on_surface_family() {
+  return family_of<OriginOnSurface>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -38,8 +38,10 @@ TriangleDraft corners_at_zero(Random& random, int digits) {
       mark.num = -1;
       break;
   }
-  if (is_zero(draft.direction)) draft.direction = {1, 0, 0};
-  else if (surely_independent(a, b, c)) draft.promise = {kind, one_mark(mark)};
+  if (is_zero(draft.direction))
+    draft.direction = {1, 0, 0};
+  else if (surely_independent(a, b, c))
+    draft.promise = {kind, one_mark(mark)};
   return draft;
 }
 
@@ -91,6 +93,8 @@ struct OriginZero {
 };
 }  // namespace
 
-Family origin_zero_family() { return family_of<OriginZero>(); }
+Family origin_zero_family() {
+  return family_of<OriginZero>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -1,7 +1,7 @@
-// pell. For d = (p, q, 0) and c - e = (l, m, n) the quartered discriminant is A (r^2 - n^2) - s^2 with A = p^2 + q^2 and s = p m - q l.
-// With r^2 - n^2 = y^2 and s / y a convergent of sqrt(A) it is the norm of that convergent: -1 or +1 at the end of a period, and below
-// 2 sqrt(A) everywhere, beside squares of 100 digits. l and m come from Bezout; a multiple of d added to c moves t alone. No tangent
-// is among them: A is not a square. The nearest miss and the nearest secant that integers allow.
+// pell. For d = (p, q, 0) and c - e = (l, m, n) the quartered discriminant is A (r^2 - n^2) - s^2 with A = p^2 + q^2 and s = p
+// m - q l. With r^2 - n^2 = y^2 and s / y a convergent of sqrt(A) it is the norm of that convergent: -1 or +1 at the end of a
+// period, and below 2 sqrt(A) everywhere, beside squares of 100 digits. l and m come from Bezout; a multiple of d added to c
+// moves t alone. No tangent is among them: A is not a square. The nearest miss and the nearest secant that integers allow.
 #include <utility>
 
 #include "fuzz/families/constructions.hpp"
@@ -97,6 +97,8 @@ struct Pell {
 };
 }  // namespace
 
-Family pell_family() { return family_of<Pell>(); }
+Family pell_family() {
+  return family_of<Pell>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -43,6 +43,8 @@ struct PythagoreanTangent {
 };
 }  // namespace
 
-Family pythagorean_tangent_family() { return family_of<PythagoreanTangent>(); }
+Family pythagorean_tangent_family() {
+  return family_of<PythagoreanTangent>();
+}
 
 }  // namespace graze::fuzz::construct

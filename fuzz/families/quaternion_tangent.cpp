@@ -1,7 +1,7 @@
-// quaternion-tangent. An integer quaternion gives three orthogonal integer columns R1 R2 R3 of equal length N. With d = alpha R1,
-// c = e + j R1 + beta R2 and r = |beta| N, the line touches the sphere at t = j / alpha exactly. Some take beta (x R2 + y R3) with
-// x^2 + y^2 = z^2 and r = |beta| z N instead. Once coordinates exceed half the mantissa the discriminant B^2 - A C is a
-// difference of two rounded numbers of twice the digits, and its true value 0 drowns.
+// quaternion-tangent. An integer quaternion gives three orthogonal integer columns R1 R2 R3 of equal length N. With d = alpha
+// R1, c = e + j R1 + beta R2 and r = |beta| N, the line touches the sphere at t = j / alpha exactly. Some take beta (x R2 + y
+// R3) with x^2 + y^2 = z^2 and r = |beta| z N instead. Once coordinates exceed half the mantissa the discriminant B^2 - A C is
+// a difference of two rounded numbers of twice the digits, and its true value 0 drowns.
 #include "fuzz/families/constructions.hpp"
 #include "fuzz/families/drafts.hpp"
 #include "fuzz/families/finish.hpp"
@@ -50,6 +50,8 @@ struct QuaternionTangent {
 };
 }  // namespace
 
-Family quaternion_tangent_family() { return family_of<QuaternionTangent>(); }
+Family quaternion_tangent_family() {
+  return family_of<QuaternionTangent>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -27,6 +27,8 @@ struct RandomControl {
 };
 }  // namespace
 
-Family random_family() { return family_of<RandomControl>(); }
+Family random_family() {
+  return family_of<RandomControl>();
+}
 
 }  // namespace graze::fuzz::construct

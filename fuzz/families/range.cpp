@@ -1,7 +1,7 @@
 // range. Every lattice times 2^k, positions and directions apart, from the least subnormal up to the largest numbers; triangles
-// with exponents of their own along each axis (an affine map, so the promise stays); spheres likewise (it does not), and with r^2
-// beyond the range; and numbers of random bits. Squares, cubes and fourth powers of coordinates under- and overflow here while the
-// answer is as plain as ever.
+// with exponents of their own along each axis (an affine map, so the promise stays); spheres likewise (it does not), and with
+// r^2 beyond the range; and numbers of random bits. Squares, cubes and fourth powers of coordinates under- and overflow here
+// while the answer is as plain as ever.
 #include "fuzz/families/coordinates.hpp"
 #include "fuzz/families/drafts.hpp"
 #include "fuzz/families/finish.hpp"
@@ -67,6 +67,8 @@ struct RangeFamily {
 
 }  // namespace
 
-Family range_family() { return family_of<RangeFamily>(); }
+Family range_family() {
+  return family_of<RangeFamily>();
+}
 
 }  // namespace graze::fuzz::construct

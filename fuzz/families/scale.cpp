@@ -80,8 +80,7 @@ Exponents choose_exponents(Random& random, Limits positions, Limits directions, 
       return chosen;
     case Reach::products:
       chosen.position = product_exponent<T>(random, positions);
-      chosen.direction =
-          random.one_in(2) ? product_exponent<T>(random, directions) : modest_exponent<T>(random, directions);
+      chosen.direction = random.one_in(2) ? product_exponent<T>(random, directions) : modest_exponent<T>(random, directions);
       return chosen;
     case Reach::everything:
       chosen.position = wild_exponent<T>(random, positions);

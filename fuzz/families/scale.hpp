@@ -11,10 +11,10 @@ namespace graze::fuzz::construct {
 
 /// How far the exponents go.
 enum class Reach {
-  usual,        ///< often 0, mostly modest, now and then extreme
-  directions,   ///< directions extreme, positions usual
-  products,     ///< where squares, cubes and fourth powers leave the range
-  everything,   ///< anything, with a liking for both ends
+  usual,       ///< often 0, mostly modest, now and then extreme
+  directions,  ///< directions extreme, positions usual
+  products,    ///< where squares, cubes and fourth powers leave the range
+  everything,  ///< anything, with a liking for both ends
 };
 
 /// What a draft allows and its family asks for.

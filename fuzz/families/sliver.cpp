@@ -1,7 +1,7 @@
-// sliver. Triangles of aspect 2^+-50: one edge long and one of a unit; both long and a unit apart; the angle at a corner almost flat;
-// corners on one line, whose nudged twins are the thinnest triangles there are; and ordinary ones scaled to where the products of
-// a normal underflow or overflow. The ray aims at corners, edges and the face as for edge-corner. Normals computed from rounded
-// edges point anywhere, and determinants of thin triangles are their own rounding errors.
+// sliver. Triangles of aspect 2^+-50: one edge long and one of a unit; both long and a unit apart; the angle at a corner almost
+// flat; corners on one line, whose nudged twins are the thinnest triangles there are; and ordinary ones scaled to where the
+// products of a normal underflow or overflow. The ray aims at corners, edges and the face as for edge-corner. Normals computed
+// from rounded edges point anywhere, and determinants of thin triangles are their own rounding errors.
 #include "fuzz/families/constructions.hpp"
 #include "fuzz/families/drafts.hpp"
 #include "fuzz/families/finish.hpp"
@@ -58,6 +58,8 @@ struct Sliver {
 };
 }  // namespace
 
-Family sliver_family() { return family_of<Sliver>(); }
+Family sliver_family() {
+  return family_of<Sliver>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -66,6 +66,8 @@ struct TangentThird {
 };
 }  // namespace
 
-Family tangent_third_family() { return family_of<TangentThird>(); }
+Family tangent_third_family() {
+  return family_of<TangentThird>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -1,8 +1,8 @@
-// unimodular. P, Q, R are the rows of an integer matrix of determinant +1 or -1 with entries of up to fifty bits, the corners of
-// the triangle seen from the ray's origin. With d = i P + j Q + k R, for small i, j, k, the edge signs det(d, P, Q) ... are
+// unimodular. P, Q, R are the rows of an integer matrix of determinant +1 or -1 with entries of up to fifty bits, the corners
+// of the triangle seen from the ray's origin. With d = i P + j Q + k R, for small i, j, k, the edge signs det(d, P, Q) ... are
 // k, i, j, and the sign of d.n is that of i + j + k: 0 and +-1 where the products have 150 bits. All positive hits the face,
-// a zero an edge, two a corner; i + j + k = 0 runs parallel. With R = x P + y Q instead (determinant 0) the origin lies in the plane of the
-// triangle: inside, on the boundary, outside or, for d in that plane, coplanar.
+// a zero an edge, two a corner; i + j + k = 0 runs parallel. With R = x P + y Q instead (determinant 0) the origin lies in the
+// plane of the triangle: inside, on the boundary, outside or, for d in that plane, coplanar.
 #include <algorithm>
 
 #include "fuzz/families/constructions.hpp"
@@ -110,6 +110,8 @@ struct Unimodular {
 };
 }  // namespace
 
-Family unimodular_family() { return family_of<Unimodular>(); }
+Family unimodular_family() {
+  return family_of<Unimodular>();
+}
 
 }  // namespace graze::fuzz::construct

@@ -184,7 +184,7 @@ TEST_CASE("a word that is no number is named with the place that it stands at") 
   CHECK(error("ray_triangle 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 # 17") == "'#' is no number (t_min of ray_triangle)");
   for (const char* word : {"1,5", "1e", "0x", "0x1p", "1f", "--1", "1-2", ".", "1_000", "in", "nanx", "1;"}) {
     CHECK(error("point_line " + std::string(word) + " 0 0 0 0") ==
-          "'" + std::string(word) + "' is no number (px of point_line)");
+          std::string("'").append(word).append("' is no number (px of point_line)"));
   }
 }
 

@@ -20,7 +20,7 @@ TEST_CASE("CGAL 5.5 constructs an intersection of a triangle and a coplanar ray 
 
   const auto part = CGAL::intersection(away, triangle);
   // A version that has mended this passes as well; the known one must show it, or this test shows nothing.
-  if (kFaultyVersion) CHECK(part);
+  if (kFaultyVersion) CHECK(bool(part));
 
   everywhere([]<Real T>(const Oracle& oracle) {
     CHECK(oracle.answer(Ray<T>{{5, 0, 0}, {1, 0, 0}}, Triangle<T>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}) ==

@@ -83,7 +83,8 @@ TEST_CASE("The common part is cut to the range, and cut ends are the bounds them
     const T third = T(1) / T(3);
     const auto scaled = [](T t_min, T t_max) { return Ray<T>{{-1, 1, 0}, {3, 0, 0}, t_min, t_max}; };
     check(oracle, scaled(0, kInfinity<T>), along<T>(coplanar, third, T(4) / T(3)));
-    check(oracle, scaled(0, third), std::same_as<T, double> ? triangle_miss<T>(Facing::none) : along<T>(coplanar, third, third));
+    check(oracle, scaled(0, third),
+          std::same_as<T, double> ? triangle_miss<T>(Facing::none) : along<T>(coplanar, third, third));
   });
 }
 

@@ -20,7 +20,8 @@ void check(const Oracle& oracle, const Ray<T>& ray, const Triangle<T>& triangle,
 
 TEST_CASE("A segment across the ray") {
   everywhere([]<Real T>(const Oracle& oracle) {
-    for (const Triangle<T>& segment : {Triangle<T>{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}, Triangle<T>{{0, 0, 0}, {0, 0, 0}, {4, 0, 0}}}) {
+    for (const Triangle<T>& segment :
+         {Triangle<T>{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}, Triangle<T>{{0, 0, 0}, {0, 0, 0}, {4, 0, 0}}}) {
       check(oracle, Ray<T>{{1, -2, 0}, {0, 1, 0}}, segment, along<T>(degenerate, 2, 2));
       check(oracle, Ray<T>{{4, -2, 0}, {0, 1, 0}}, segment, along<T>(degenerate, 2, 2));
       check(oracle, Ray<T>{{2, -1, 0}, {0, 3, 0}}, segment, along<T>(degenerate, T(1) / T(3), T(1) / T(3)));
@@ -36,7 +37,8 @@ TEST_CASE("A segment across the ray") {
 
 TEST_CASE("A segment along the ray") {
   everywhere([]<Real T>(const Oracle& oracle) {
-    for (const Triangle<T>& segment : {Triangle<T>{{0, 0, 0}, {2, 2, 0}, {4, 4, 0}}, Triangle<T>{{0, 0, 0}, {4, 4, 0}, {4, 4, 0}}}) {
+    for (const Triangle<T>& segment :
+         {Triangle<T>{{0, 0, 0}, {2, 2, 0}, {4, 4, 0}}, Triangle<T>{{0, 0, 0}, {4, 4, 0}, {4, 4, 0}}}) {
       check(oracle, Ray<T>{{-1, -1, 0}, {1, 1, 0}}, segment, along<T>(degenerate, 1, 5));
       check(oracle, Ray<T>{{-1, -1, 0}, {1, 1, 0}, 2, 3}, segment, along<T>(degenerate, 2, 3));
       check(oracle, Ray<T>{{5, 5, 0}, {-2, -2, 0}}, segment, along<T>(degenerate, T(0.5), T(2.5)));

@@ -4,7 +4,9 @@
 namespace graze::oracle {
 namespace {
 
-[[nodiscard]] Exact rational(const mpq_class& q) { return {q, 0, 0}; }
+[[nodiscard]] Exact rational(const mpq_class& q) {
+  return {q, 0, 0};
+}
 [[nodiscard]] mpq_class two_to(int exponent) {
   mpq_class result = 1;
   if (exponent >= 0) {

@@ -37,7 +37,8 @@ template <Real T>
 
 TEST_CASE("No coordinate may be infinite or NaN") {
   everywhere([]<Real T>(const Oracle& oracle) {
-    for (const T bad : {kInfinity<T>, -kInfinity<T>, std::numeric_limits<T>::quiet_NaN(), -std::numeric_limits<T>::quiet_NaN()}) {
+    for (const T bad :
+         {kInfinity<T>, -kInfinity<T>, std::numeric_limits<T>::quiet_NaN(), -std::numeric_limits<T>::quiet_NaN()}) {
       CAPTURE(bad);
       for (std::size_t i = 0; i < 3; ++i) {
         for (Vec3<T> Ray<T>::*part : {&Ray<T>::origin, &Ray<T>::direction}) {
@@ -77,7 +78,8 @@ TEST_CASE("The first reason in the order is told") {
     CHECK(oracle.answer(no_direction, negative) == invalid_sphere<T>(Status::zero_direction));
     CHECK(oracle.answer(no_range, negative) == invalid_sphere<T>(Status::negative_radius));
     CHECK(oracle.answer(no_range, kSphere<T>) == invalid_sphere<T>(Status::empty_range));
-    CHECK(oracle.answer(no_direction, Triangle<T>{{0, 0, 0}, {0, 0, 0}, {0, 0, nan}}) == invalid_triangle<T>(Status::non_finite));
+    CHECK(oracle.answer(no_direction, Triangle<T>{{0, 0, 0}, {0, 0, 0}, {0, 0, nan}}) ==
+          invalid_triangle<T>(Status::non_finite));
     CHECK(oracle.answer(no_direction, kTriangle<T>) == invalid_triangle<T>(Status::zero_direction));
     CHECK(oracle.answer(no_range, kTriangle<T>) == invalid_triangle<T>(Status::empty_range));
   });

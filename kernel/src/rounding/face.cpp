@@ -1,62 +1,68 @@
 // t, u and v of a hit that the filter has found inside the face, rounded from double-double (double) or double (float).
 #include "graze/triangle.hpp"
+#include "numeric/double_double.hpp"
 #include "rounding/candidate.hpp"
 
 namespace graze::rounding {
 namespace {
 
-using numeric::Pair;
-using numeric::PairVector;
+using numeric::Lanes;
+using numeric::PairLanes;
 using predicates::TriangleTerms;
 
-/// The determinants of TriangleTerms, better; the errors are bounded by TriangleTerms' own times `relative_error`.
-struct Determinants {
-  Pair determinant, u, v, distance;
-  double relative_error;
+/// t, u, v as hi + lo, each within its error.
+struct Quotients {
+  Lanes hi, lo;
+  double t_error, u_error, v_error;
+  bool are_bounded;
 };
 
-/// As they stand.
-Determinants determinants(const Ray<float>&, const Triangle<float>&, const TriangleTerms& terms) noexcept {
-  return {{terms.determinant, 0}, {terms.u, 0}, {terms.v, 0}, {terms.distance, 0}, 1};
+/// The error of n / d: (n_error + |q| d_error) / |d| to first order, and `division` |q| for the division itself. With d known to 2^-10, terms
+/// of second order are below 2^-8 of those. `relative` scales the errors of the terms to those of the determinants used.
+Quotients with_errors(const Lanes& hi, const Lanes& lo, double determinant, const TriangleTerms& terms, double relative,
+                      double division) noexcept {
+  using numeric::magnitude;
+  const double size = magnitude(determinant), scale = (1 + 0x1p-8) * relative / size;
+  const auto error = [&](double q, double n_error) {
+    return (n_error + magnitude(q) * terms.determinant_error) * scale + magnitude(q) * division;
+  };
+  return {hi,
+          lo,
+          error(hi[0], terms.distance_error),
+          error(hi[1], terms.u_error),
+          error(hi[2], terms.v_error),
+          size > 0x1p10 * relative * terms.determinant_error};
 }
 
-/// In double-double: the differences are exact, a monomial passes through two products and four sums of at most 4 * 2^-106 each,
-/// dropped low products included 6 * 7 * 4 * 2^-106 m in all; TriangleTerms' bounds are 44 * 2^-52 m, and 2^-50 times that is 4 times as much.
-Determinants determinants(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleTerms&) noexcept {
+Quotients quotients(const Ray<float>&, const Triangle<float>&, const TriangleTerms& terms) noexcept {
+  const double d = terms.determinant;
+  return with_errors(Lanes{terms.distance / d, terms.u / d, terms.v / d, 0}, Lanes{}, d, terms, 1, 0x1p-52);
+}
+
+/// The determinants of TriangleTerms in double-double: the differences are exact, a monomial passes through two products and four sums
+/// of at most 4 * 2^-106 each, so 6 * 7 * 4 * 2^-106 m in all; TriangleTerms' bounds are 44 * 2^-52 m, and 2^-50 of that is 4 times as much.
+Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleTerms& terms) noexcept {
   using namespace numeric;
-  const Vector a = vector(triangle.a), d = vector(ray.direction);
-  const PairVector e1 = exact_difference(vector(triangle.b), a), e2 = exact_difference(vector(triangle.c), a);
-  const PairVector t = exact_difference(vector(ray.origin), a);
-  const PairVector h = cross(d, e2), g = cross(t, e1);
-  return {normalised(dot(e1, h)), normalised(dot(t, h)), normalised(dot(d, g)), normalised(dot(e2, g)), 0x1p-50};
-}
-
-/// n / d with |errors| n_error and d_error: the quotient errs by (n_error + |q| d_error) / |d| to first order, the division itself by
-/// 2^-100 (a single double's by 2^-52).
-template <Real T>
-Candidate quotient(Pair n, double n_error, Pair d, double d_error, double inverse) noexcept {
-  constexpr double division = sizeof(T) < sizeof(double) ? 0x1p-52 : 0x1p-100;
-  const Pair q = sizeof(T) < sizeof(double) ? Pair{n.hi / d.hi, 0} : n / d;
-  const double size = numeric::magnitude(q.hi);
-  return {q, (n_error + size * d_error) * inverse + size * division};
+  const Lanes a = lanes(triangle.a), d = lanes(ray.direction);
+  const PairLanes e1 = two_difference(lanes(triangle.b), a), e2 = two_difference(lanes(triangle.c), a);
+  const PairLanes t = two_difference(lanes(ray.origin), a);
+  const PairLanes h = cross(d, e2), g = cross(t, e1);
+  const PairLanes n = normalised(sums(e2 * g, t * h, d * g, e1 * h));
+  const PairLanes determinant{__builtin_shufflevector(n.hi, n.hi, 3, 3, 3, 3), __builtin_shufflevector(n.lo, n.lo, 3, 3, 3, 3)};
+  const PairLanes q = n / determinant;
+  return with_errors(q.hi, q.lo, determinant.hi[0], terms, 0x1p-50, 0x1p-100);
 }
 
 }  // namespace
 
 template <Real T>
 TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle, const TriangleTerms& terms) noexcept {
-  using numeric::magnitude;
   if (!numeric::rounds_to_nearest()) return exact::intersect(ray, triangle);
-  const Determinants r = determinants(ray, triangle, terms);
-  const double k = r.relative_error;
-  const double size = magnitude(r.determinant.hi), error = k * terms.determinant_error;
-  // With the determinant known to 2^-10, terms of second order are below 2^-9 of those of first.
-  const double inverse = (1 + 0x1p-8) / size;
-  const auto divide = [&](Pair n, double n_error) { return quotient<T>(n, k * n_error, r.determinant, error, inverse); };
+  const Quotients q = quotients(ray, triangle, terms);
   TriangleHit<T> hit;
-  const bool is_certain = size > 0x1p10 * error && rounds_certainly(divide(r.distance, terms.distance_error), hit.t) &&
-                          rounds_certainly(divide(r.u, terms.u_error), hit.u) &&
-                          rounds_certainly(divide(r.v, terms.v_error), hit.v);
+  const bool is_certain = q.are_bounded & rounds_certainly(q.hi[0], q.lo[0], q.t_error, hit.t) &
+                          rounds_certainly(q.hi[1], q.lo[1], q.u_error, hit.u) &
+                          rounds_certainly(q.hi[2], q.lo[2], q.v_error, hit.v);
   if (!is_certain) return exact::intersect(ray, triangle);
   hit.kind = TriangleKind::face;
   hit.facing = terms.determinant > 0 ? Facing::front : Facing::back;

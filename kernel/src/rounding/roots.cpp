@@ -1,11 +1,14 @@
 // The roots that the filter has found, rounded from double-double (double) or double (float).
 #include "graze/sphere.hpp"
+#include "numeric/double_double.hpp"
 #include "rounding/candidate.hpp"
 
 namespace graze::rounding {
 namespace {
 
+using numeric::Lanes;
 using numeric::Pair;
+using numeric::PairLanes;
 using predicates::SphereTerms;
 using predicates::SphereVerdict;
 
@@ -26,14 +29,14 @@ Coefficients coefficients(const Ray<float>&, const Sphere<float>&, const SphereT
 /// add to less than 8 * 2^-100 A c_size.
 Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, const SphereTerms& t) noexcept {
   using namespace numeric;
-  const Vector d = vector(ray.direction);
-  const PairVector l = exact_difference(vector(sphere.center), vector(ray.origin));
-  const Pair a = two_product(d.x, d.x) + two_product(d.y, d.y) + two_product(d.z, d.z);
-  const Pair b = dot(d, l);
-  const Pair c = dot(l, l) - two_product(sphere.radius, sphere.radius);
-  const Pair discriminant = b * b - a * c;
-  return {normalised(a), normalised(b), normalised(c), normalised(discriminant),
-          0x1p-100,      0x1p-100 * __builtin_sqrt(t.a * t.c_size), 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
+  const Lanes d = lanes(ray.direction);
+  // C = L.L - r^2 as one sum of four products.
+  PairLanes l = two_difference(lanes(sphere.center, sphere.radius), lanes(ray.origin)), m = l;
+  m.hi[3] = -m.hi[3];
+  const PairLanes n = normalised(sums(two_product(d, d), d * l, l * m, PairLanes{}));
+  const Pair a{n.hi[0], n.lo[0]}, b{n.hi[1], n.lo[1]}, c{n.hi[2], n.lo[2]};
+  return {a, b, c, normalised(b * b - a * c),
+          0x1p-100, 0x1p-100 * __builtin_sqrt(t.a * t.c_size), 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
 }
 
 }  // namespace
@@ -53,19 +56,19 @@ SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms
   const double s_error = 0.5078125 * k.discriminant_error / s.hi;
   // Relative errors: of q, and with A's or C's of the quotients; the operations themselves add at most relative_error each.
   const double q_error = (k.b_error + s_error) / q_size + 2 * k.relative_error;
-  const auto far = [&] {
+  const auto far = [&](T& out) {
     const Pair t = q / k.a;
-    return Candidate{t, magnitude(t.hi) * (q_error + 2 * k.relative_error)};
+    return rounds_certainly(t.hi, t.lo, magnitude(t.hi) * (q_error + 2 * k.relative_error), out);
   };
-  const auto near = [&] {
+  const auto near = [&](T& out) {
     const Pair t = k.c / q;
-    return Candidate{t, k.c_error / q_size + magnitude(t.hi) * (q_error + 2 * k.relative_error)};
+    return rounds_certainly(t.hi, t.lo, k.c_error / q_size + magnitude(t.hi) * (q_error + 2 * k.relative_error), out);
   };
   SphereHit<T> hit;
   int count = 0;
   bool is_certain = true;
-  if (verdict.root != Root::second) is_certain = rounds_certainly(is_negative ? far() : near(), hit.t[count++]);
-  if (verdict.root != Root::first) is_certain = is_certain && rounds_certainly(is_negative ? near() : far(), hit.t[count]);
+  if (verdict.root != Root::second) is_certain = is_negative ? far(hit.t[count++]) : near(hit.t[count++]);
+  if (verdict.root != Root::first) is_certain &= is_negative ? near(hit.t[count]) : far(hit.t[count]);
   if (!is_certain) return exact::intersect(ray, sphere);
   hit.kind = SphereKind::secant;
   hit.root = verdict.root;

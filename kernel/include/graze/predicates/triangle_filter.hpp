@@ -78,7 +78,8 @@ template <Real T>
     }
   }
   if (is_before) return TriangleVerdict::miss;
-  return (u > terms.u_error) & (v > terms.v_error) & (w > w_error) & is_after ? TriangleVerdict::face : TriangleVerdict::uncertain;
+  const bool is_inside = (u > terms.u_error) & (v > terms.v_error) & (w > w_error);
+  return (is_inside & is_after) ? TriangleVerdict::face : TriangleVerdict::uncertain;
 }
 
 }  // namespace graze::predicates

@@ -131,7 +131,7 @@ template <Real T>
 }  // namespace naive
 
 /// q = -(B + sgn(B) sqrt(D)) / 2, t1 = q / A, t2 = C / q: the numbers that are added have one sign, so nothing cancels.
-/// Equivalently q = -(B + sgn(B) sqrt(D)), t1 = q / 2A, t2 = 2C / q; mixing the two is a mistake seen in print.
+/// Equivalently q = -(B + sgn(B) sqrt(D)), t1 = q / 2A, t2 = 2C / q; mixing the two halves one root and doubles the other.
 /// Fails at B = 0, where sgn(0) = 0 as usual makes q = -0: t1 = -0, and t2 = C / -0 is an infinity, or NaN for C = 0. The true
 /// roots, -+sqrt(-C / A), are both lost: a ray that starts at the sphere's center answers 0 and infinity.
 /// Source: Press et al., "Numerical Recipes", section 5.6.
