@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/exit_status.hpp"
+#include "cli/kernels.hpp"
 #include "cli/line_source.hpp"
 #include "fuzz/case_text.hpp"
 #include "fuzz/subject.hpp"
@@ -19,17 +20,6 @@ struct Options {
   bool details = false;
   std::string file = "-";
 };
-
-/// The names of the kernels that answer this case, or of all for none; comma-separated.
-template <Real T = double>
-std::string kernel_names(const fuzz::Case<T>* input = nullptr) {
-  std::string names;
-  for (const fuzz::Subject* kernel : fuzz::subjects()) {
-    if (input != nullptr && !kernel->answer(*input)) continue;
-    names.append(names.empty() ? "" : ", ").append(kernel->name());
-  }
-  return names;
-}
 
 /// Tells on standard error, after the answers so far.
 int refuse(const std::string& message) {

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cli/answer.hpp"
+#include "cli/certify.hpp"
 #include "cli/exit_status.hpp"
 
 namespace {
@@ -15,6 +16,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "graze " GRAZE_VERSION);
   program.require_subcommand(0, 1);
   graze::cli::add_answer(program, status);
+  graze::cli::add_certify(program, status);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

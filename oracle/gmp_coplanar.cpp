@@ -53,8 +53,7 @@ void intersect_parallel(CommonPart& out, const IntegerTriangle& triangle, const 
     clipper.keep(level, slope);
   }
   // A line in the plane is parallel to at most one edge, so a triangle with area bounds it at both ends.
-  if (clipper.empty || compare(out.t, out.t_end) > 0) return;
-  if (clip(out, range, triangle.exponent)) out.kind = TriangleKind::coplanar;
+  if (!clipper.empty && clip(out, range, triangle.exponent)) out.kind = TriangleKind::coplanar;
 }
 
 }  // namespace graze::oracle::gmp

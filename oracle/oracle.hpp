@@ -59,12 +59,13 @@ class Oracle {
 /// GMP integers and rationals alone; knows nothing of CGAL. Fast: the certifier's workhorse.
 [[nodiscard]] const Oracle& gmp_oracle();
 
-/// CGAL's exact predicates decide, its number types with square roots (Sqrt_extension) are compared to round.
+/// CGAL's predicates over its own exact numbers (MP_Float) decide, quotients and square roots of these (Quotient,
+/// Sqrt_extension) are compared to round. Slow. Throws std::logic_error where two parts of CGAL contradict one another.
 [[nodiscard]] const Oracle& cgal_oracle();
 
 /// |x - value| in units of the last place of the format T at `value` (subnormal spacing below the normal range; at overflow
-/// the spacing of the largest numbers). Exact to a relative 2^-50. Infinity where x is NaN, or infinite and the correctly
-/// rounded value is not; 0 where both are the same infinity.
+/// the spacing of the largest numbers). Correctly rounded, so exact to a relative 2^-50 unless it is a subnormal number.
+/// Infinity where x is NaN, or infinite and the correctly rounded value is not; 0 where both are the same infinity.
 template <Real T>
 [[nodiscard]] double error_in_ulps(const Exact& value, T x);
 

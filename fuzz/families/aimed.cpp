@@ -37,7 +37,7 @@ SphereDraft exact_center(Random& random, int digits) {
   if (draft.center == draft.origin) draft.center.x += 1;
   draft.direction = draft.center - draft.origin;
   draft.radius = random.one_in(2) ? 0 : choose_natural(random, bits);
-  draft.promise.kind = SphereKind::secant;
+  draft.promise = forward_promise(SphereKind::secant);
   if (draft.radius == 0) draft.promise = {SphereKind::tangent, one_mark(Mark{1, 1})};
   return draft;
 }

@@ -47,7 +47,7 @@ SphereDraft b_zero_draft(Random& random, int digits) {
   const Int c = dot(draft.center, draft.center) - draft.radius * draft.radius;
   if (c > 0) draft.promise.kind = SphereKind::miss;
   if (c == 0) draft.promise = {SphereKind::tangent, one_mark(Mark{0, 1})};
-  if (c < 0) draft.promise.kind = SphereKind::secant;
+  if (c < 0) draft.promise = forward_promise(SphereKind::secant);
   return draft;
 }
 

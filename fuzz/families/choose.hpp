@@ -23,6 +23,7 @@ inline int choose_bits(Random& random, int low, int high) {
 inline Int choose_natural(Random& random, int bits) {
   if (bits <= 0) return 0;
   const std::uint64_t high = random.bits();
+  if (bits <= 64) return static_cast<Int>(high >> (64 - bits));
   const std::uint64_t low = random.bits();
   const UnsignedInt both = (static_cast<UnsignedInt>(high) << 64) | low;
   return static_cast<Int>(both >> (128 - bits));
@@ -46,20 +47,26 @@ inline Int choose_nonzero(Random& random, int bits) {
   return value == 0 ? 1 : value;
 }
 
-/// A factor for a direction: 1, a power of two, or any number of at most so many bits, of either sign.
+/// Like choose_integer, three times in four not negative: a way along a ray.
+inline Int choose_way(Random& random, int bits) {
+  const Int value = choose_natural(random, bits);
+  return random.one_in(4) ? -value : value;
+}
+
+/// A factor for a direction: 1, a power of two, or any number of at most so many bits; negative once in eight.
 inline Int choose_factor(Random& random, int bits) {
-  if (bits <= 1) return random.sign();
+  const Int sign = random.one_in(8) ? -1 : 1;
+  if (bits <= 1) return sign;
   switch (random.below(4)) {
     case 0:
-      return random.sign();
+      return sign;
     case 1: {
       const int exponent = random.between(0, bits - 1);
-      return random.sign() * power_of_two(exponent);
+      return sign * power_of_two(exponent);
     }
     default: {
       const int length = random.between(1, bits);
-      const Int value = choose_full(random, length);
-      return random.one_in(4) ? -value : value;
+      return sign * choose_full(random, length);
     }
   }
 }

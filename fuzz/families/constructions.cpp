@@ -12,7 +12,11 @@ Frame choose_frame(Random& random, int quaternion_bits) {
   frame.r2 = {2 * (v.x * v.y - w * v.z), ww - xx + yy - zz, 2 * (v.y * v.z + w * v.x)};
   frame.r3 = {2 * (v.x * v.z + w * v.y), 2 * (v.y * v.z - w * v.x), ww - xx - yy + zz};
   frame.length = ww + xx + yy + zz;
-  const Int common = gcd(gcd(content(frame.r1), content(frame.r2)), gcd(content(frame.r3), frame.length));
+  Int common = frame.length;
+  for (const IntVec* column : {&frame.r1, &frame.r2, &frame.r3}) {
+    for (int axis = 0; axis < 3; ++axis) common = gcd((*column)[axis], common);
+  }
+  if (common == 1) return frame;
   frame.r1 = frame.r1 / common;
   frame.r2 = frame.r2 / common;
   frame.r3 = frame.r3 / common;
@@ -43,9 +47,9 @@ Barycentric choose_point(Random& random, int most_bits) {
   Barycentric at;
   switch (random.below(8)) {
     case 0:
-    case 1:
       at.q = 1;
       break;
+    case 1:
     case 2:
     case 3:
     case 4: {
@@ -68,24 +72,25 @@ Barycentric choose_point(Random& random, int most_bits) {
   const Int part = at.q > 1 ? 1 + choose_part(at.q - 1) : 0;  // strictly between 0 and q where there is room
   const std::uint64_t off_roll = random.below(8);
   const Int off = off_roll == 0 ? -1 : off_roll == 1 ? 1 : 0;  // one step outside, one step inside
-  switch (random.below(7)) {
-    case 0:
+  switch (random.below(9)) {
+    case 0: {
+      const std::uint64_t corner = random.below(3);
+      at.i = corner == 1 ? at.q : 0;
+      at.j = corner == 2 ? at.q : 0;
       break;
+    }
     case 1:
-      at.i = at.q;
-      break;
     case 2:
-      at.j = at.q;
-      break;
-    case 3:
       at.i = part;
       at.j = off;
       break;
+    case 3:
     case 4:
       at.i = off;
       at.j = part;
       break;
     case 5:
+    case 6:
       at.i = part;
       at.j = at.q - part - off;
       break;

@@ -9,7 +9,8 @@
 
 namespace graze::fuzz::construct {
 
-/// Pointers to the numbers of a case, in the order of its case line; the ends of a ray's range come after the others, uncounted.
+/// Pointers to the numbers of a case, in the order of its case line; the ends of a ray's range come after the others,
+/// uncounted.
 template <Real T>
 struct Coordinates {
   std::array<T*, 17> at{};

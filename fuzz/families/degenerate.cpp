@@ -50,7 +50,7 @@ TriangleDraft degenerate_draft(Random& random, int digits) {
   const IntVec d = choose_vector(random, direction_bits);
   const int along_bits = choose_bits(random, 1, digits - 3 - direction_bits);
   const Int tau = choose_natural(random, along_bits);
-  const Int alpha = magnitude(choose_factor(random, digits - direction_bits));
+  const Int alpha = choose_factor(random, digits - direction_bits);
   const IntVec aside = choose_vector(random, 1);
   const bool is_point = *low == *high;
   switch (random.below(6)) {

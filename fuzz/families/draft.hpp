@@ -31,14 +31,19 @@ struct Marks {
   return {{first, second}, 2};
 }
 
-/// What is promised. With marks, `kind` is that of the whole line, and the marks are where it meets the shape (the point;
-/// both roots; both ends of the common part): the kind within a range follows. Without marks, `kind` is that of the ray
-/// with t >= 0 and no upper end. A miss of the whole line needs no marks, and may have one for a range to aim at.
+/// What is promised. `kind` is that of the whole line, and the marks are where it meets the shape (the point; both roots;
+/// both ends of the common part): the kind within a range follows. A miss may have a mark for a range to aim at. Where the
+/// marks are unknown (irrational roots), `kind` is that of the ray with t >= 0 and no upper end only.
 template <class Kind>
 struct Promise {
   std::optional<Kind> kind;
   Marks marks;
+  bool forward_only = false;
 };
+template <class Kind>
+[[nodiscard]] constexpr Promise<Kind> forward_promise(Kind kind) {
+  return {kind, {}, true};
+}
 
 struct SphereDraft {
   IntVec origin, direction, center;
@@ -66,11 +71,11 @@ void each_position(TriangleDraft& draft, F f) {
   for (IntVec& corner : draft.corner) f(corner);
 }
 
-/// Turns the direction around: t becomes -t. A promise without marks is lost.
+/// Turns the direction around: t becomes -t. A promise for t >= 0 is lost.
 template <class AnyDraft>
 void reverse(AnyDraft& draft) {
   draft.direction = -draft.direction;
-  if (draft.promise.marks.count == 0) draft.promise.kind.reset();
+  if (draft.promise.forward_only) draft.promise = {};
   for (Mark& mark : draft.promise.marks.at) mark.num = -mark.num;
 }
 

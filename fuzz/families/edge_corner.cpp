@@ -19,9 +19,8 @@ TriangleDraft edge_corner_draft(Random& random, int digits) {
   aim.e2 = choose_vector(random, edge_bits);
   aim.point = choose_point(random, part_bits);
   aim.d = choose_vector(random, direction_bits);
-  const Int tau = choose_integer(random, along_bits);
-  aim.tau = random.one_in(8) ? tau : magnitude(tau);
-  aim.alpha = magnitude(choose_factor(random, digits - direction_bits));
+  aim.tau = choose_natural(random, along_bits);
+  aim.alpha = choose_factor(random, digits - direction_bits);
   return aimed_triangle(aim);
 }
 

@@ -48,7 +48,7 @@ Fan choose_fan(Random& random, int digits) {
   const IntVec& second = fan.rim[(fan.target + 1) % fan_size];
   const IntVec hit = fan.point.i * (first / fan.point.q) + fan.point.j * (second / fan.point.q);
   const Int tau = choose_natural(random, along_bits);
-  const Int alpha = magnitude(choose_factor(random, digits - vector_bits));
+  const Int alpha = choose_factor(random, digits - vector_bits);
   fan.origin = hit - tau * d;
   fan.direction = alpha * d;
   fan.marks = one_mark(make_mark(tau, alpha));

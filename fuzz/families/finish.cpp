@@ -78,8 +78,8 @@ bool meets(const Ray<T>& ray, const Marks& marks, int exponent, bool is_interval
 /// What the promise says of this ray's range.
 template <Real T, class Kind>
 std::optional<Kind> kind_in_range(const Promise<Kind>& promise, const Ray<T>& ray, int exponent, bool is_interval) {
+  if (promise.forward_only) return is_default_range(ray) ? promise.kind : std::nullopt;
   if (!promise.kind || promise.kind == Kind::miss) return promise.kind;
-  if (promise.marks.count == 0) return is_default_range(ray) ? promise.kind : std::nullopt;
   return meets(ray, promise.marks, exponent, is_interval) ? promise.kind : Kind::miss;
 }
 

@@ -101,17 +101,12 @@ void make_look_invalid(Case<T>& input, Random& random) {
 template <Real T>
 Case<T> valid_case(Random& random) {
   const std::uint64_t query = random.below(8);
-  Plan plan;
-  const Draft draft = any_draft(random, digits<T>, query % 2 == 1);
-  const Case<T> input = finish<T>(draft, random, plan).input;
-  if (query < 5) return input;
-  Vec3<T> point;
-  if (const auto* sphere = std::get_if<RaySphere<T>>(&input)) {
-    point = sphere->ray.origin;
-    if (query == 6) return PointSphere<T>{point, sphere->sphere};
+  if (query < 3) {
+    const std::uint64_t seed = random.bits();
+    return make<T>(implicit_family(), seed, 4 * query).input;
   }
-  if (query == 5) return PointLine<T>{{point.x, point.y}, {T(1), T(2), point.z}};
-  return PointPlane<T>{point, {T(1), T(2), T(3), point.x}};
+  const Draft draft = any_draft(random, digits<T>, query % 2 == 1);
+  return finish<T>(draft, random, Plan{}).input;
 }
 
 struct Invalid {

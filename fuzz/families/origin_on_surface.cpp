@@ -59,8 +59,8 @@ SphereDraft sphere_through_origin_draft(Random& random, int digits) {
   if (b == 0) {
     draft.promise = {SphereKind::tangent, one_mark(Mark{0, 1})};
   } else {
-    draft.promise.kind = SphereKind::secant;  // t = 0 is one of the roots
-    if (bit_length(a) <= 70) draft.promise.marks = two_marks(Mark{0, 1}, make_mark(2 * b, a));
+    draft.promise = forward_promise(SphereKind::secant);  // t = 0 is one of the roots
+    if (bit_length(a) <= 70) draft.promise = {SphereKind::secant, two_marks(Mark{0, 1}, make_mark(2 * b, a))};
   }
   return draft;
 }
@@ -78,8 +78,8 @@ struct OriginOnSurface {
       draft.radius += larger ? 1 : -1;
       draft.promise = {};
       const Int b = dot(draft.direction, draft.center);
-      if (larger) draft.promise.kind = SphereKind::secant;  // the origin is inside
-      if (!larger && b <= 0) draft.promise.kind = SphereKind::miss;
+      if (larger) draft.promise = forward_promise(SphereKind::secant);  // the origin is inside
+      if (!larger && b <= 0) draft.promise = forward_promise(SphereKind::miss);
     }
     return finish<T>(draft, random, index);
   }

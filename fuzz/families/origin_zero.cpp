@@ -62,7 +62,7 @@ SphereDraft rational_roots_draft(Random& random, int digits) {
     const int bits = choose_bits(random, 2, digits - 2);
     draft.center = choose_vector(random, bits);
     draft.radius = choose_natural(random, bits);
-    draft.promise.kind = SphereKind::secant;  // the second root lies beyond the center
+    draft.promise = forward_promise(SphereKind::secant);  // the second root lies beyond the center
   }
   draft.direction = draft.center;
   if (draft.radius == 0 || random.one_in(6)) {

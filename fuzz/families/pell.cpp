@@ -72,17 +72,18 @@ SphereDraft pell_draft(Random& random, int digits) {
   draft.center.x = (d.x * draft.center.y - near.s) / d.y;
   const Int back = nearest_quotient(draft.center.x * d.x + draft.center.y * d.y, a);
   const int along_bits = choose_bits(random, 1, digits - 2 - direction_bits);
-  const Int j = choose_integer(random, along_bits);
-  const Int onward = random.one_in(4) ? j : magnitude(j);
+  const Int onward = choose_way(random, along_bits);
   draft.center = draft.center + (onward - back) * d;
 
-  const Int norm = a * near.y * near.y - near.s * near.s;
+  // The squares may need more than 128 bits, their difference far fewer.
+  const auto wrapped = [](Int n) { return static_cast<UnsignedInt>(n); };
+  const auto norm = static_cast<Int>(wrapped(a) * wrapped(near.y) * wrapped(near.y) - wrapped(near.s) * wrapped(near.s));
   const Int b = dot(d, draft.center);
   const Int c = dot(draft.center, draft.center) - draft.radius * draft.radius;
-  draft.promise.kind = kind_by_signs(norm, b, c);
+  draft.promise = forward_promise(kind_by_signs(norm, b, c));
   const Int alpha = choose_factor(random, digits - direction_bits);
   draft.direction = alpha * d;
-  if (alpha < 0) draft.promise.kind = kind_by_signs(norm, -b, c);
+  if (alpha < 0) draft.promise = forward_promise(kind_by_signs(norm, -b, c));
   return draft;
 }
 

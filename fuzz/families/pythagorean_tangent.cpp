@@ -19,7 +19,7 @@ SphereDraft pythagorean_tangent_draft(Random& random, int digits) {
   const int orthogonal_bits = choose_bits(random, 1, most_bits);
   const IntVec d = choose_orthogonal(random, w, orthogonal_bits);
   const int along_bits = choose_bits(random, 1, digits - 2 - bit_length(d));
-  const Int j = choose_integer(random, along_bits);
+  const Int j = choose_way(random, along_bits);
   const int size_bits = choose_bits(random, 1, digits - 3 - bit_length(w));
   const Int s = choose_nonzero(random, size_bits);
   const Int alpha = choose_factor(random, digits - bit_length(d));

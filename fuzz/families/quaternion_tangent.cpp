@@ -26,7 +26,7 @@ SphereDraft quaternion_tangent_draft(Random& random, int digits) {
   }
 
   const int along_bits = choose_bits(random, 1, room);
-  const Int j = choose_integer(random, along_bits);
+  const Int j = choose_way(random, along_bits);
   const int aside_bits = choose_bits(random, 1, aside_room);
   const Int beta = choose_integer(random, aside_bits);
   const Int alpha = choose_factor(random, digits - bit_length(frame.length));

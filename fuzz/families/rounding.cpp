@@ -1,7 +1,8 @@
 // rounding. Values that lie exactly between two numbers of the format, or closer to there than any fixed extra precision tells:
 // - roots l +- h on an axis, with r^2 = m^2 + n^2 + h^2: a sum of two full mantissas has one digit more, a tie;
 // - the same with h^2 +- 1 or a little for a square, so that the root misses the tie by 1 / (2h);
-// - t = j / alpha and u = i / q with 2^s j = (2M + 1) alpha +- 1: the quotients nearest to a midpoint that there are;
+// - t = j / alpha of a tangent, a root or a triangle, and u = i / q with 2^s j = (2M + 1) alpha +- 1: the quotients nearest to
+// a midpoint that there are;
 // - t = a_z - e_z and u = (e_x - a_x) / 2^s, differences of full mantissas, among them the tie between the largest number and
 //   overflow.
 // Then t is scaled to where results are subnormal, round to zero from either side (a miss if t < 0), or overflow.
@@ -64,7 +65,7 @@ SphereDraft root_near_tie(Random& random, int digits) {
     const Int m = random.between(1, 3);
     const Int l = choose_tie_partner(random, h, digits);
     SphereDraft draft = axis_ray(l, m, 0, h);
-    if (l > h) draft.promise.kind = SphereKind::secant;
+    if (l > h) draft.promise = forward_promise(SphereKind::secant);
     return draft;
   }
   // D = h^2 + 1 with r = h + 1 and m^2 = 2h.
@@ -73,7 +74,7 @@ SphereDraft root_near_tie(Random& random, int digits) {
   const Int h = m * m / 2;
   const Int l = choose_tie_partner(random, h, digits);
   SphereDraft draft = axis_ray(l, m, 0, h + 1);
-  if (l > h + 1) draft.promise.kind = SphereKind::secant;
+  if (l > h + 1) draft.promise = forward_promise(SphereKind::secant);
   return draft;
 }
 
@@ -103,6 +104,27 @@ SphereDraft tangent_near_midpoint(Random& random, int digits) {
   draft.center = t.num * frame.r1 + beta * frame.r2;
   draft.radius = magnitude(beta) * frame.length;
   draft.promise = {SphereKind::tangent, one_mark(Mark{t.num, t.den})};
+  return draft;
+}
+
+/// Roots (j - k) / alpha and (j + k) / alpha in a frame, c - e = j R1 + beta R2 and r = N z with beta^2 + k^2 = z^2; the second
+/// one beside a midpoint. The discriminant is a square, but not in a way that its factors show.
+SphereDraft root_near_midpoint(Random& random, int digits) {
+  static constexpr int triples[4][3] = {{3, 4, 5}, {15, 8, 17}, {20, 21, 29}, {0, 1, 1}};
+  const auto& triple = triples[random.below(4)];
+  const int quaternion_bits = random.between(1, digits / 5);
+  const Frame frame = choose_frame(random, quaternion_bits);
+  const int room = digits - 2 - bit_length(frame.length);
+  const Quotient t = near_midpoint(random, choose_bits(random, 1, room), digits);
+  const int size_bits = random.between(1, room - 5);
+  const Int size = choose_full(random, size_bits);
+  const Int k = triple[1] * size;
+  const Int j = t.num - k;
+  SphereDraft draft;
+  draft.direction = t.den * frame.r1;
+  draft.center = j * frame.r1 + (triple[0] * size) * frame.r2;
+  draft.radius = (triple[2] * size) * frame.length;
+  draft.promise = {SphereKind::secant, two_marks(Mark{j - k, t.den}, Mark{t.num, t.den})};
   return draft;
 }
 
@@ -171,12 +193,14 @@ Draft choose_draft(Random& random, int digits, bool is_triangle) {
         return any_triangle_draft(random, digits);
     }
   }
-  switch (random.below(4)) {
+  switch (random.below(5)) {
     case 0:
       return root_tie(random, digits);
     case 1:
       return root_near_tie(random, digits);
     case 2:
+      return root_near_midpoint(random, digits);
+    case 3:
       return tangent_near_midpoint(random, digits);
     default:
       return any_sphere_draft(random, digits);

@@ -39,7 +39,7 @@ TriangleDraft sliver_draft(Random& random, int digits) {
   aim.point = choose_point(random, part_bits);
   aim.d = choose_vector(random, direction_bits);
   aim.tau = choose_natural(random, along_bits);
-  aim.alpha = magnitude(choose_factor(random, digits - direction_bits));
+  aim.alpha = choose_factor(random, digits - direction_bits);
   return aimed_triangle(aim);
 }
 

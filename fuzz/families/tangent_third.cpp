@@ -13,12 +13,12 @@ namespace {
 
 SphereDraft scaled_third(Random& random, int digits) {
   const int size_bits = choose_bits(random, 1, digits - 1);
-  const Int s = choose_nonzero(random, size_bits);
+  const Int s = choose_full(random, size_bits);
   const Int alpha = choose_factor(random, digits - 2);
   SphereDraft draft;
   draft.direction = alpha * IntVec{1, 2, 2};
   draft.center = s * IntVec{1, 1, 0};
-  draft.radius = magnitude(s);
+  draft.radius = s;
   draft.promise = {SphereKind::tangent, one_mark(make_mark(s, 3 * alpha))};
   return draft;
 }
@@ -27,7 +27,8 @@ SphereDraft general_third(Random& random, int digits) {
   const int quaternion_bits = choose_bits(random, 1, (digits - 7) / 2);
   const Frame frame = choose_frame(random, quaternion_bits);
   const int vector_bits = choose_bits(random, 1, digits - 2 - bit_length(frame.length));
-  const IntVec w = choose_vector(random, vector_bits);
+  IntVec w = choose_vector(random, vector_bits);
+  if (dot(w, frame.r2) < 0 && !random.one_in(4)) w = -w;
   const IntVec offset = cross(w, frame.r3);
   const Int radius = magnitude(dot(w, frame.r1));
   const Int unit = gcd(content(offset), radius);

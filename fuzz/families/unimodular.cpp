@@ -19,7 +19,7 @@ using Rows = std::array<IntVec, 3>;
 /// A product of random elementary matrices whose entries stay below 2^bits.
 Rows choose_unimodular(Random& random, int bits) {
   Rows rows{IntVec{1, 0, 0}, IntVec{0, 1, 0}, IntVec{0, 0, 1}};
-  const int factor_bits = random.between(1, std::max(1, bits / 3));
+  const int factor_bits = random.between(1 + bits / 8, 1 + bits / 3);
   int refused = 0;
   while (refused < 6) {
     const std::size_t to = random.below(3);
@@ -80,7 +80,7 @@ TriangleDraft dependent_corners(Random& random, const Rows& rows, int part_bits)
   draft.direction = i * rows[0] + j * rows[1];
   if (in_plane && (i != 0 || j != 0)) {
     // 0 = -x P - y Q + R: the triangle holds the origin where -x and -y are not negative.
-    if (x <= 0 && y <= 0) draft.promise.kind = TriangleKind::coplanar;
+    if (x <= 0 && y <= 0) draft.promise = forward_promise(TriangleKind::coplanar);
     return draft;
   }
   draft.direction = draft.direction + random.sign() * rows[2];

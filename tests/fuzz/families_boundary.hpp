@@ -26,9 +26,15 @@ inline Weighed weighed(mpq_class value) {
   mpq_class weight = abs(value);
   return {std::move(value), std::move(weight)};
 }
-inline Weighed operator+(const Weighed& a, const Weighed& b) { return {a.value + b.value, a.weight + b.weight}; }
-inline Weighed operator-(const Weighed& a, const Weighed& b) { return {a.value - b.value, a.weight + b.weight}; }
-inline Weighed operator*(const Weighed& a, const Weighed& b) { return {a.value * b.value, a.weight * b.weight}; }
+inline Weighed operator+(const Weighed& a, const Weighed& b) {
+  return {a.value + b.value, a.weight + b.weight};
+}
+inline Weighed operator-(const Weighed& a, const Weighed& b) {
+  return {a.value - b.value, a.weight + b.weight};
+}
+inline Weighed operator*(const Weighed& a, const Weighed& b) {
+  return {a.value * b.value, a.weight * b.weight};
+}
 
 using WeighedVec = std::array<Weighed, 3>;
 
@@ -42,7 +48,9 @@ WeighedVec difference(const Vec3<T>& p, const Vec3<T>& q) {
   return {weighed(mpq_class(p.x) - mpq_class(q.x)), weighed(mpq_class(p.y) - mpq_class(q.y)),
           weighed(mpq_class(p.z) - mpq_class(q.z))};
 }
-inline Weighed dot(const WeighedVec& p, const WeighedVec& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+inline Weighed dot(const WeighedVec& p, const WeighedVec& q) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
 inline WeighedVec cross(const WeighedVec& p, const WeighedVec& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }

@@ -147,22 +147,22 @@ void run_both(Sort sort, int cases, int least_of_each) {
 }
 
 TEST_CASE("The oracles agree on small lattices") {
-  run_both(Sort::lattice, 50000, 50);
+  run_both(Sort::lattice, 25000, 25);
 }
 TEST_CASE("The oracles agree on scaled lattices") {
-  run_both(Sort::scaled_lattice, 25000, 25);
+  run_both(Sort::scaled_lattice, 12000, 10);
 }
 TEST_CASE("The oracles agree on tangents, edges and corners") {
-  run_both(Sort::contacts, 30000, 5);
+  run_both(Sort::contacts, 20000, 2);
 }
 TEST_CASE("The oracles agree on uniform numbers") {
-  run_both(Sort::uniform, 20000, 0);
+  run_both(Sort::uniform, 8000, 0);
 }
 TEST_CASE("The oracles agree on mixed exponents") {
-  run_both(Sort::mixed_exponents, 8000, 0);
+  run_both(Sort::mixed_exponents, 4000, 0);
 }
 TEST_CASE("The oracles agree on random bit patterns") {
-  run_both(Sort::bit_patterns, 3000, 0);
+  run_both(Sort::bit_patterns, 1500, 0);
 }
 
 template <Real T>

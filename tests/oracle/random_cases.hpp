@@ -20,7 +20,8 @@ enum class Sort {
   contacts,         ///< tangents, edges and corners by construction, then perhaps nudged by an ulp
 };
 
-/// A stream of cases that depends on the seed alone.
+/// A stream of cases that depends on the seed alone, so each draw is a statement or an initializer of its own: the order of
+/// arguments is the compiler's.
 template <Real T>
 class RandomCases {
  public:
@@ -76,16 +77,20 @@ class RandomCases {
     switch (sort_) {
       case Sort::scaled_lattice:
         return std::ldexp(T(integer(-2, 2)), scale_);
-      case Sort::uniform:
-        return std::ldexp(T(static_cast<std::int64_t>(engine_()) >> 11), -53) * (one_in(16) ? 0 : 1);
+      case Sort::uniform: {
+        if (one_in(16)) return 0;
+        return std::ldexp(T(static_cast<std::int64_t>(engine_()) >> 11), -52);
+      }
       case Sort::bit_patterns:
         if constexpr (std::same_as<T, double>) {
           return std::bit_cast<double>(engine_());
         } else {
           return std::bit_cast<float>(static_cast<std::uint32_t>(engine_()));
         }
-      case Sort::mixed_exponents:
-        return std::ldexp(T(integer(-3, 3)), one_in(4) ? exponent(2) : integer(-40, 40));
+      case Sort::mixed_exponents: {
+        const int power = one_in(4) ? exponent(2) : integer(-40, 40);
+        return std::ldexp(T(integer(-3, 3)), power);
+      }
       default:
         return T(integer(-2, 2));
     }

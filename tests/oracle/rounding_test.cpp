@@ -56,6 +56,22 @@ TEST_CASE("Ties go to even") {
   });
 }
 
+TEST_CASE("Next to a tie by less than any head of bits shows") {
+  everywhere([]<Real T>(const Oracle& oracle) {
+    const T n = kTwoToDigits<T>;
+    const T least = kLeast<T>;
+    // The plane x + y = n, met at t = n + 1 - y.
+    const Triangle<T> tilted{{n + 4, -4, -4}, {n - 4, 4, -4}, {n, 0, 4}};
+    CHECK(oracle.answer(Ray<T>{{-1, -least, 0}, {1, 0, 0}}, tilted).t == n + 2);
+    CHECK(oracle.answer(Ray<T>{{-1, 0, 0}, {1, 0, 0}}, tilted).t == n);
+    CHECK(oracle.answer(Ray<T>{{-1, least, 0}, {1, 0, 0}}, tilted).t == n);
+    // n + 1 -+ sqrt(3) least, and n + 3 -+ the same.
+    const Sphere<T> bead{{n, 0, 0}, 2 * least};
+    CHECK(oracle.answer(Ray<T>{{-1, least, 0}, {1, 0, 0}}, bead) == secant<T>(OriginSide::outside, n, n + 2));
+    CHECK(oracle.answer(Ray<T>{{-3, least, 0}, {1, 0, 0}}, bead) == secant<T>(OriginSide::outside, n + 2, n + 4));
+  });
+}
+
 TEST_CASE("Subnormal results") {
   everywhere([]<Real T>(const Oracle& oracle) {
     const T least = kLeast<T>;

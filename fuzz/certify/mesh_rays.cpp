@@ -1,0 +1,175 @@
+#include "fuzz/certify/mesh_rays.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "fuzz/certify/campaign.hpp"
+#include "fuzz/random.hpp"
+
+namespace graze::fuzz {
+namespace {
+
+template <Real T>
+Vec3<T> rounded(const Vec3<double>& p) {
+  return {static_cast<T>(p.x), static_cast<T>(p.y), static_cast<T>(p.z)};
+}
+
+template <Real T>
+Vec3<T> difference(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <Real T>
+bool is_hit(const Answer<T>& answer) {
+  const TriangleKind kind = std::get<TriangleHit<T>>(answer).kind;
+  return kind != TriangleKind::miss && kind != TriangleKind::invalid;
+}
+
+/// In [0, 1).
+double fraction(Random& random) { return static_cast<double>(random.bits() >> 11) * 0x1p-53; }
+
+}  // namespace
+
+std::string_view name_of(Target target) {
+  switch (target) {
+    case Target::corner:
+      return "corners";
+    case Target::edge_midpoint:
+      return "edge midpoints";
+    case Target::face_center:
+      return "face centers";
+  }
+  return "unknown";
+}
+
+template <Real T>
+MeshRays<T>::MeshRays(const Mesh& mesh, std::uint64_t seed) {
+  for (const Vec3<double>& p : mesh.points) points_.push_back(rounded<T>(p));
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> edge_of;
+  fan_start_.assign(points_.size() + 1, 0);
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto& t = mesh.triangles[f];
+    triangles_.push_back({points_[t[0]], points_[t[1]], points_[t[2]]});
+    for (int k = 0; k < 3; ++k) {
+      ++fan_start_[t[k] + 1];
+      const auto [entry, is_new] = edge_of.try_emplace(std::minmax(t[k], t[(k + 1) % 3]), edges_.size());
+      if (is_new) edges_.push_back({entry->first.first, entry->first.second, {}, 0});
+      Edge& edge = edges_[entry->second];
+      if (edge.face_count < 2) edge.faces[edge.face_count++] = f;
+    }
+  }
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    if (fan_start_[i + 1] != 0) corners_.push_back(i);
+  }
+  std::partial_sum(fan_start_.begin(), fan_start_.end(), fan_start_.begin());
+  fan_.resize(3 * triangles_.size());
+  std::vector<std::uint32_t> next(fan_start_.begin(), fan_start_.end() - 1);
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    for (const std::uint32_t corner : mesh.triangles[f]) fan_[next[corner]++] = f;
+  }
+  faces_.resize(triangles_.size());
+  std::iota(faces_.begin(), faces_.end(), 0u);
+
+  for (std::uint64_t attempt = 0; attempt < 64; ++attempt) {
+    if (draw_origin(seed, attempt)) return;
+  }
+  corners_.clear();
+  edges_.clear();
+  faces_.clear();
+}
+
+/// A point below a random face, by up to a tenth of the mesh's extent along the face's inner normal.
+template <Real T>
+bool MeshRays<T>::draw_origin(std::uint64_t seed, std::uint64_t attempt) {
+  Random random(seed, "mesh-origin", attempt);
+  const Triangle<T>& t = triangles_[random.below(triangles_.size())];
+  const Vec3<T> ab = difference(t.b, t.a), ac = difference(t.c, t.a);
+  const Vec3<double> n{double(ab.y) * ac.z - double(ab.z) * ac.y, double(ab.z) * ac.x - double(ab.x) * ac.z,
+                       double(ab.x) * ac.y - double(ab.y) * ac.x};
+  const double length = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  if (!(length > 0)) return false;
+  const auto [low, high] = std::minmax_element(points_.begin(), points_.end(), [](auto& p, auto& q) { return p.x < q.x; });
+  const double depth = (double(high->x) - double(low->x)) * 0.1 * (0.25 + fraction(random)) / length;
+  const auto inside = [&](T a, T b, T c, double m) { return static_cast<T>((double(a) + b + c) / 3 - depth * m); };
+  origin_ = {inside(t.a.x, t.b.x, t.c.x, n.x), inside(t.a.y, t.b.y, t.c.y, n.y), inside(t.a.z, t.b.z, t.c.z, n.z)};
+  return is_inside(origin_, random.bits());
+}
+
+/// Crossing parity by the exact oracle along a direction that meets only faces.
+template <Real T>
+bool MeshRays<T>::is_inside(const Vec3<T>& point, std::uint64_t seed) const {
+  for (std::uint64_t attempt = 0; attempt < 16; ++attempt) {
+    Random random(seed, "mesh-parity", attempt);
+    const double x = fraction(random), y = fraction(random), z = fraction(random);
+    const Ray<T> ray{point, rounded<T>({x - 0.5, y - 0.5, z - 0.5})};
+    std::size_t crossings = 0;
+    bool only_faces = true;
+    for (const Triangle<T>& t : triangles_) {
+      const TriangleKind kind = oracle::gmp_oracle().answer(ray, t).kind;
+      crossings += kind == TriangleKind::face;
+      only_faces = only_faces && (kind == TriangleKind::face || kind == TriangleKind::miss);
+    }
+    if (only_faces) return crossings % 2 == 1;
+  }
+  return false;
+}
+
+template <Real T>
+std::size_t MeshRays<T>::count(Target target) const {
+  return target == Target::corner ? corners_.size() : target == Target::edge_midpoint ? edges_.size() : faces_.size();
+}
+
+template <Real T>
+Ray<T> MeshRays<T>::ray(Target target, std::size_t index) const {
+  Vec3<T> goal;
+  if (target == Target::corner) {
+    goal = points_[corners_[index]];
+  } else if (target == Target::edge_midpoint) {
+    const Vec3<T>&p = points_[edges_[index].from], &q = points_[edges_[index].to];
+    goal = {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
+  } else {
+    const Triangle<T>& t = triangles_[index];
+    goal = {(t.a.x + t.b.x + t.c.x) / 3, (t.a.y + t.b.y + t.c.y) / 3, (t.a.z + t.b.z + t.c.z) / 3};
+  }
+  return {origin_, difference(goal, origin_)};
+}
+
+template <Real T>
+std::span<const std::uint32_t> MeshRays<T>::fan(Target target, std::size_t index) const {
+  if (target == Target::edge_midpoint) return {edges_[index].faces, edges_[index].face_count};
+  if (target == Target::face_center) return {&faces_[index], 1};
+  const std::uint32_t point = corners_[index];
+  return {&fan_[fan_start_[point]], fan_start_[point + 1] - fan_start_[point]};
+}
+
+template <Real T>
+void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Judges& judges, Row& row) {
+  const Ray<T> ray = rays.ray(target, index);
+  bool truth_hits = false, subject_hits = false;
+  for (const std::uint32_t f : rays.fan(target, index)) {
+    const Case<T> input = RayTriangle<T>{ray, rays.triangle(f)};
+    const auto answer = judges.subject.answer(input);
+    if (!answer) return;
+    truth_hits |= is_hit(check(judges, input, index, row.tally));
+    subject_hits |= is_hit(*answer);
+  }
+  ++row.rays;
+  if (subject_hits) return;
+  if (truth_hits) {
+    ++row.lost_rays;
+    return;
+  }
+  for (std::size_t f = 0; f < rays.size(); ++f) {
+    const auto answer = judges.subject.answer(Case<T>(RayTriangle<T>{ray, rays.triangle(f)}));
+    if (answer && is_hit(*answer)) return;
+  }
+  ++row.lost_rays;
+}
+
+template class MeshRays<float>;
+template class MeshRays<double>;
+template void judge_mesh_ray(const MeshRays<float>&, Target, std::size_t, const Judges&, Row&);
+template void judge_mesh_ray(const MeshRays<double>&, Target, std::size_t, const Judges&, Row&);
+
+}  // namespace graze::fuzz
