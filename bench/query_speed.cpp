@@ -21,7 +21,8 @@ Contender contender(const char* name, const Mix& mix, Query query) {
             std::size_t sum = 0;
             for (std::size_t i = 0; i < mix.rays.size(); ++i) sum += query(mix.rays[i], mix.shapes[i]);
             return sum;
-          }};
+          },
+          mix.rays.size()};
 }
 
 template <class T>
@@ -64,7 +65,7 @@ void race_triangles(const TriangleMix<T>& mix, int rounds) {
         return std::size_t(h.kind) + low_bits(h.t) + low_bits(h.u) + low_bits(h.v);
       })};
   if constexpr (sizeof(T) == sizeof(double)) add_cgal_peers(contenders, mix);
-  print("triangles", mix.name, precision_name<T>, hit_share(mix), race(contenders, mix.rays.size(), rounds));
+  print("triangles", mix.name, precision_name<T>, hit_share(mix), race(contenders, rounds));
 }
 
 template <Real T>
@@ -82,7 +83,7 @@ void race_spheres(const SphereMix<T>& mix, int rounds) {
         return std::size_t(h.kind) + low_bits(h.t[0]) + low_bits(h.t[1]);
       })};
   if constexpr (sizeof(T) == sizeof(double)) add_cgal_peers(contenders, mix);
-  print("spheres", mix.name, precision_name<T>, hit_share(mix), race(contenders, mix.rays.size(), rounds));
+  print("spheres", mix.name, precision_name<T>, hit_share(mix), race(contenders, rounds));
 }
 
 template <Real T>

@@ -2,7 +2,6 @@
 #include "fuzz/families/finish.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "fuzz/families/bounds.hpp"
 

@@ -2,7 +2,6 @@
 // zero direction with zeros of either sign, a negative radius down to the least subnormal, a t_min above t_max by one ulp or by
 // all there is. The status is the first of the contract's order. One in eight only looks invalid: -0 for a radius, a range of
 // one point, an infinite t_max.
-#include <algorithm>
 #include <limits>
 
 #include "fuzz/families/coordinates.hpp"

@@ -1,8 +1,6 @@
 // How numbers are moved by an ulp.
 #include "fuzz/families/nudge.hpp"
 
-#include <cmath>
-
 #include "fuzz/families/coordinates.hpp"
 #include "fuzz/families/float_bits.hpp"
 

@@ -56,19 +56,23 @@ TEST_CASE("Ties go to even") {
   });
 }
 
-TEST_CASE("Next to a tie by less than any head of bits shows") {
+TEST_CASE("Next to a tie, by so little that no head of bits shows it") {
   everywhere([]<Real T>(const Oracle& oracle) {
     const T n = kTwoToDigits<T>;
     const T least = kLeast<T>;
+    // n^2 / (n - 1) = n + 1 + 1 / n + ...
+    check_ahead<T>(oracle, n * n, 0, n - 1, n + 2);
     // The plane x + y = n, met at t = n + 1 - y.
     const Triangle<T> tilted{{n + 4, -4, -4}, {n - 4, 4, -4}, {n, 0, 4}};
     CHECK(oracle.answer(Ray<T>{{-1, -least, 0}, {1, 0, 0}}, tilted).t == n + 2);
     CHECK(oracle.answer(Ray<T>{{-1, 0, 0}, {1, 0, 0}}, tilted).t == n);
     CHECK(oracle.answer(Ray<T>{{-1, least, 0}, {1, 0, 0}}, tilted).t == n);
-    // n + 1 -+ sqrt(3) least, and n + 3 -+ the same.
+    // 5001^2 - 4900^2 = 1000^2 + 1, the root of which is 1000 and half a thousandth: n + 1 less that, n + 2001 more.
+    const Sphere<T> sphere{{n, 4900, 0}, 5001};
+    CHECK(oracle.answer(Ray<T>{{-1001, 0, 0}, {1, 0, 0}}, sphere) == secant<T>(OriginSide::outside, n, n + 2002));
+    // n + 1 -+ sqrt(3) least.
     const Sphere<T> bead{{n, 0, 0}, 2 * least};
     CHECK(oracle.answer(Ray<T>{{-1, least, 0}, {1, 0, 0}}, bead) == secant<T>(OriginSide::outside, n, n + 2));
-    CHECK(oracle.answer(Ray<T>{{-3, least, 0}, {1, 0, 0}}, bead) == secant<T>(OriginSide::outside, n + 2, n + 4));
   });
 }
 

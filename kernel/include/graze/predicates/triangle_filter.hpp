@@ -4,15 +4,16 @@
 #pragma once
 
 #include "graze/numeric/filter.hpp"
+#include "graze/numeric/lanes.hpp"
 
 namespace graze::predicates {
 
 /// The four determinants and bounds of their errors.
 ///
-/// Each is a sum of six monomials xyz in components of three vectors, in magnitude at most their norms' product m. A monomial is
-/// rounded at most 7 times: two differences, two products, one subtraction, two sums. So the error is at most
-/// 6 m ((1 + unit)^7 - 1) < 42.001 unit m. The norms themselves are of rounded differences, and m of two rounded products:
-/// 44 covers all that and underflow (see numeric/filter.hpp).
+/// Each is a sum of six monomials xyz in components of three vectors, together at most m, the product of their sums of magnitudes.
+/// A monomial is rounded at most 7 times: two differences, two products, one subtraction, two sums. So the error is at most
+/// ((1 + unit)^7 - 1) m < 7.001 unit m. The vectors in m are rounded differences, m itself is rounded 8 times: 8 unit m covers that,
+/// and underflow (see numeric/filter.hpp). A NaN or an infinity in a vector makes its sum not ordinary.
 struct TriangleTerms {
   double determinant, u, v, distance;
   double determinant_error, u_error, v_error, distance_error;
@@ -20,27 +21,22 @@ struct TriangleTerms {
   bool are_bounded;
 };
 
-inline constexpr double triangle_error = 44 * numeric::unit;
+inline constexpr double triangle_error = 8 * numeric::unit;
 
 template <Real T>
 [[nodiscard]] inline TriangleTerms triangle_terms(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   using namespace numeric;
-  const Vector a = vector(triangle.a), d = vector(ray.direction);
-  const Vector e1 = vector(triangle.b) - a, e2 = vector(triangle.c) - a, t = vector(ray.origin) - a;
-  const Vector h = cross(d, e2), g = cross(t, e1);
-  const double nd = norm(d), n1 = norm(e1), n2 = norm(e2), nt = norm(t);
-  TriangleTerms r;
-  r.determinant = dot(e1, h);
-  r.u = dot(t, h);
-  r.v = dot(d, g);
-  r.distance = dot(e2, g);
-  const double k2 = triangle_error * n2, k1 = triangle_error * n1, dt = nd * nt;
-  r.determinant_error = k2 * (nd * n1);
-  r.u_error = k2 * dt;
-  r.v_error = k1 * dt;
-  r.distance_error = k2 * (nt * n1);
-  r.are_bounded = is_ordinary<T>(min(min(nd, nt), min(n1, n2)), max(max(nd, nt), max(n1, n2)));
-  return r;
+  const Lanes a = lanes(triangle.a), d = lanes(ray.direction);
+  const Lanes e1 = lanes(triangle.b) - a, e2 = lanes(triangle.c) - a, t = lanes(ray.origin) - a;
+  const Lanes h = cross(d, e2), g = cross(t, e1);
+  const Columns terms = transposed(e1 * h, t * h, d * g, e2 * g);
+  const Lanes value = terms.first + terms.second + terms.third;
+  const Columns sizes = transposed(magnitudes(e1), magnitudes(t), magnitudes(d), magnitudes(e2));
+  const Lanes size = sizes.first + sizes.second + sizes.third;  // of e1, t, d, e2
+  const Lanes error = triangle_error * __builtin_shufflevector(size, size, 0, 1, 1, 0) *
+                      __builtin_shufflevector(size, size, 2, 2, 2, 1) * __builtin_shufflevector(size, size, 3, 3, 0, 3);
+  return {value[0], value[1], value[2], value[3], error[0], error[1], error[2], error[3],
+          is_ordinary<T>(min(min(size[0], size[1]), min(size[2], size[3])), max(max(size[0], size[1]), max(size[2], size[3])))};
 }
 
 /// What the filter can tell. A verdict other than `uncertain` also vouches that the input is valid: a NaN or an infinity anywhere

@@ -13,7 +13,16 @@ namespace graze::numeric {
 using Lanes = double __attribute__((vector_size(32)));
 
 /// x, y, z and a fourth number.
-[[nodiscard]] inline Lanes lanes(const Vec3<double>& v, double w = 0) noexcept { return Lanes{v.x, v.y, v.z, w}; }
+template <Real T>
+[[nodiscard]] inline Lanes lanes(const Vec3<T>& v, double w = 0) noexcept {
+  return Lanes{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z), w};
+}
+
+[[nodiscard]] inline Lanes magnitudes(const Lanes& v) noexcept {
+  using Integers = long long __attribute__((vector_size(32)));  // NOLINT(google-runtime-int): 64 bits, whatever it is called
+  const Integers all_but_sign = Integers{} + 0x7fffffffffffffff;
+  return reinterpret_cast<Lanes>(reinterpret_cast<Integers>(v) & all_but_sign);
+}
 
 /// y, z, x, w.
 [[nodiscard]] inline Lanes rotated(const Lanes& v) noexcept { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
@@ -34,6 +43,9 @@ using Lanes = double __attribute__((vector_size(32)));
 #else
 #define GRAZE_HAS_FMA 0
 #endif
+
+/// a x b in the first three lanes: (a * b.yzx - a.yzx * b).yzx.
+[[nodiscard]] inline Lanes cross(const Lanes& a, const Lanes& b) noexcept { return rotated(a * rotated(b) - rotated(a) * b); }
 
 /// The four rows' first, second, third and fourth numbers.
 struct Columns {
