@@ -24,7 +24,7 @@ struct Ranked {
 
   /// The rank of a finite number near a guess.
   [[nodiscard]] static Rank near(double guess) {
-    if (std::isnan(guess) || guess < 0) return 0;
+    if (!(guess > 0)) return 0;
     constexpr T greatest = std::numeric_limits<T>::max();
     return std::bit_cast<Rank>(guess >= static_cast<double>(greatest) ? greatest : static_cast<T>(guess));
   }

@@ -15,12 +15,18 @@ function(graze_kernel_objects name)
   target_compile_options(${name} PRIVATE -O1 -ffp-contract=off -Wno-psabi ${arg_OPTIONS})
 endfunction()
 
-# An object library for each source, so that a mutant takes only those that it leaves alone.
-function(graze_unmutated_objects)
+# An object library for each source, so that a mutant takes only those that it leaves alone; and the control of all of them.
+function(graze_control)
+  set(objects $<TARGET_OBJECTS:mutant_runner>)
   foreach(source ${mutable_sources})
     string(MAKE_C_IDENTIFIER "unmutated_${source}" name)
     graze_kernel_objects(${name} INCLUDES ${kernel_includes} SOURCES ${kernel_dir}/${source})
+    list(APPEND objects $<TARGET_OBJECTS:${name}>)
   endforeach()
+  add_executable(mutant_none ${objects})
+  target_link_libraries(mutant_none PRIVATE graze_judge graze_families)
+  add_test(NAME "mutants: the kernel itself is not caught" COMMAND mutant_none --sound)
+  set_tests_properties("mutants: the kernel itself is not caught" PROPERTIES TIMEOUT 300)
 endfunction()
 
 # Sets `result` to whether the kernel's file `source` is `file` or includes it, directly or not.
@@ -86,6 +92,6 @@ function(graze_mutant name)
                        SOURCES ${mutated})
   add_executable(mutant_${name} ${objects} $<TARGET_OBJECTS:mutated_${name}>)
   target_link_libraries(mutant_${name} PRIVATE graze_judge graze_families)
-  add_test(NAME "mutants: ${name} is caught" COMMAND mutant_${name})
+  add_test(NAME "mutants: ${name} is caught" COMMAND mutant_${name} $<$<BOOL:${arg_FMA}>:--fma>)
   set_tests_properties("mutants: ${name} is caught" PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77)
 endfunction()

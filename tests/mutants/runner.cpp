@@ -1,7 +1,7 @@
 // Runs a kernel, mutated or not, over all families in both precisions and all floating-point modes, until it is caught.
-//   mutant_NAME [--sound] [CASES]
-// CASES a family and precision, 2000 unless said otherwise. Exit status: 0 the mutant was caught (--sound: nothing was), 1 not so, 2 usage
-// error, 77 this processor cannot run it.
+//   mutant_NAME [--sound] [--fma] [CASES]
+// CASES a family and precision, 2000 unless said otherwise; --fma: the kernel was compiled with FMA. Exit status: 0 the mutant was caught
+// (--sound: nothing was), 1 not so, 2 usage error, 77 this processor cannot run it.
 #include <charconv>
 #include <chrono>
 #include <cstdint>
@@ -61,16 +61,15 @@ Hunt hunt(std::uint64_t cases) {
   return hunt;
 }
 
-bool can_run() {
+bool has_fma() {
 #if defined(__x86_64__)
-  return !GRAZE_MUTANT_WANTS_FMA || __builtin_cpu_supports("fma");
+  return __builtin_cpu_supports("fma") != 0;
 #else
   return true;
 #endif
 }
 
 int run(bool is_sound, std::uint64_t cases) {
-  if (!can_run()) return 77;
   const auto start = std::chrono::steady_clock::now();
   const Hunt result = hunt(cases);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -89,9 +88,11 @@ int main(int argc, char** argv) {
     const std::string_view argument = argv[i];
     if (argument == "--sound") {
       is_sound = true;
+    } else if (argument == "--fma") {
+      if (!graze::fuzz::has_fma()) return 77;
     } else if (const char* end = argument.data() + argument.size();
                std::from_chars(argument.data(), end, cases).ptr != end || cases == 0) {
-      std::fprintf(stderr, "usage: %s [--sound] [CASES]\n", argv[0]);
+      std::fprintf(stderr, "usage: %s [--sound] [--fma] [CASES]\n", argv[0]);
       return 2;
     }
   }

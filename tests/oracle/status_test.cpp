@@ -7,22 +7,6 @@ namespace graze::oracle {
 namespace {
 
 template <Real T>
-[[nodiscard]] SphereHit<T> invalid_sphere(Status status) {
-  SphereHit<T> hit;
-  hit.status = status;
-  hit.kind = SphereKind::invalid;
-  return hit;
-}
-
-template <Real T>
-[[nodiscard]] TriangleHit<T> invalid_triangle(Status status) {
-  TriangleHit<T> hit;
-  hit.status = status;
-  hit.kind = TriangleKind::invalid;
-  return hit;
-}
-
-template <Real T>
 const Ray<T> kRay{{0, 0, 0}, {1, 0, 0}};
 template <Real T>
 const Sphere<T> kSphere{{5, 0, 0}, 1};

@@ -8,11 +8,11 @@ namespace graze {
 
 namespace exact {
 template <Real T>
-GRAZE_COLD [[nodiscard]] Side side(const Vec2<T>& point, const Line<T>& line) noexcept;
+[[nodiscard]] Side side(const Vec2<T>& point, const Line<T>& line) noexcept;
 template <Real T>
-GRAZE_COLD [[nodiscard]] Side side(const Vec3<T>& point, const Plane<T>& plane) noexcept;
+[[nodiscard]] Side side(const Vec3<T>& point, const Plane<T>& plane) noexcept;
 template <Real T>
-GRAZE_COLD [[nodiscard]] Side side(const Vec3<T>& point, const Sphere<T>& sphere) noexcept;
+[[nodiscard]] Side side(const Vec3<T>& point, const Sphere<T>& sphere) noexcept;
 }  // namespace exact
 
 /// The sign of f(x, y) = a x + b y + c, zero exactly on the line; non_finite where a number is not finite.

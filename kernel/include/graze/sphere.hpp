@@ -21,9 +21,9 @@ template <Real T>
 namespace exact {
 /// The whole answer by exact integers, invalid input included. Compiled in the library.
 template <Real T>
-GRAZE_COLD [[nodiscard]] SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere) noexcept;
+[[nodiscard]] SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere) noexcept;
 template <Real T>
-GRAZE_COLD [[nodiscard]] bool hits(const Ray<T>& ray, const Sphere<T>& sphere) noexcept;
+[[nodiscard]] bool hits(const Ray<T>& ray, const Sphere<T>& sphere) noexcept;
 }  // namespace exact
 
 namespace predicates {

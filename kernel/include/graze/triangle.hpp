@@ -20,9 +20,9 @@ template <Real T>
 namespace exact {
 /// The whole answer by exact integers, invalid input included. Compiled in the library.
 template <Real T>
-GRAZE_COLD [[nodiscard]] TriangleHit<T> intersect(const Ray<T>& ray, const Triangle<T>& triangle) noexcept;
+[[nodiscard]] TriangleHit<T> intersect(const Ray<T>& ray, const Triangle<T>& triangle) noexcept;
 template <Real T>
-GRAZE_COLD [[nodiscard]] bool hits(const Ray<T>& ray, const Triangle<T>& triangle) noexcept;
+[[nodiscard]] bool hits(const Ray<T>& ray, const Triangle<T>& triangle) noexcept;
 }  // namespace exact
 
 /// Where the ray meets the triangle. The kind is exact, every number is correctly rounded, any input is answered; nothing is thrown,

@@ -5,7 +5,7 @@
 
 #include <cfloat>
 
-#include "graze/numeric/lanes.hpp"
+#include "numeric/lanes.hpp"
 
 static_assert(FLT_EVAL_METHOD == 0, "graze: compile the library for arithmetic in double, not wider (-mfpmath=sse)");
 

@@ -6,8 +6,8 @@
 //  - one operation errs by at most unit = 2^-52 relative (2^-53 to nearest, twice that in directed modes), contraction and
 //    excess precision only err less;
 //  - an operation that underflows, or an input that is read as zero, errs by at most 2^-1022 (2^-126 for a float input) more.
-//    Each filter asks that its vectors' largest components lie in [low, high] of `Ordinary`; then such errors are below 2^-70 of
-//    the bound's terms, which the constants' slack pays for, and nothing overflows;
+//    Each filter asks that its vectors' sizes lie in [low, high] of `Ordinary`; then such errors are below 2^-70 of the bound's
+//    terms, which the constants' slack pays for, and nothing overflows;
 //  - comparisons with NaN are false, and every test is written so that false means uncertain.
 #pragma once
 
@@ -40,7 +40,7 @@ template <Real T>
 
 [[nodiscard]] inline double magnitude(double x) noexcept { return __builtin_fabs(x); }
 
-/// A NaN may be lost in a maximum: filters rely on it only where another term carries the NaN on.
+/// The second argument where one is NaN.
 [[nodiscard]] inline double max(double a, double b) noexcept { return a > b ? a : b; }
 [[nodiscard]] inline double min(double a, double b) noexcept { return a < b ? a : b; }
 
@@ -56,14 +56,25 @@ template <Real T>
 
 [[nodiscard]] inline Vector operator-(const Vector& a, const Vector& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
-[[nodiscard]] inline double dot(const Vector& a, const Vector& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-[[nodiscard]] inline Vector cross(const Vector& a, const Vector& b) noexcept {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+/// a b + c, in one rounding where the machine does that fast: filters only err less by it.
+[[nodiscard]] inline double multiply_add(double a, double b, double c) noexcept {
+#if defined(__FMA__) || defined(__aarch64__)
+  return __builtin_fma(a, b, c);
+#else
+  return a * b + c;
+#endif
 }
 
-/// The largest component's magnitude.
-[[nodiscard]] inline double norm(const Vector& v) noexcept { return max(max(magnitude(v.x), magnitude(v.y)), magnitude(v.z)); }
+[[nodiscard]] inline double dot(const Vector& a, const Vector& b) noexcept {
+  return multiply_add(a.x, b.x, multiply_add(a.y, b.y, a.z * b.z));
+}
+
+[[nodiscard]] inline Vector cross(const Vector& a, const Vector& b) noexcept {
+  return {multiply_add(a.y, b.z, -(a.z * b.y)), multiply_add(a.z, b.x, -(a.x * b.z)), multiply_add(a.x, b.y, -(a.y * b.x))};
+}
+
+/// |x| + |y| + |z|: at least the length, and NaN or infinite where a component is.
+[[nodiscard]] inline double magnitude_sum(const Vector& v) noexcept { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); }
 
 /// 0 <= t without upper end, told from the bits.
 template <Real T>

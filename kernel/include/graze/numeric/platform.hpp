@@ -11,11 +11,3 @@ they change the results that the error bounds are proven for."
 
 static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<double>::is_iec559,
               "graze: float and double must be IEEE-754 binary32 and binary64");
-
-#if defined(__GNUC__)
-#define GRAZE_COLD [[gnu::noinline, gnu::cold]]
-#define GRAZE_NOINLINE [[gnu::noinline]]
-#else
-#define GRAZE_COLD
-#define GRAZE_NOINLINE
-#endif

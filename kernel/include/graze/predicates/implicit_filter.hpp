@@ -47,7 +47,7 @@ template <Real T>
   using namespace numeric;
   const Vector l = vector(p) - vector(sphere.center);
   const auto r = static_cast<double>(sphere.radius);
-  const double l2 = dot(l, l), r2 = r * r, s = max(norm(l), r);
+  const double l2 = dot(l, l), r2 = r * r, s = magnitude_sum(l) + r;
   const bool is_bounded = is_ordinary<T>(s, s) && (bits_of(sphere.radius) & sign_bit<T>) == 0;
   return {l2 - r2, is_bounded ? 7 * unit * (l2 + r2) : std::numeric_limits<double>::infinity()};
 }

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "graze/numeric/filter.hpp"
-#include "graze/numeric/lanes.hpp"
 
 namespace graze::predicates {
 
@@ -26,56 +25,55 @@ inline constexpr double triangle_error = 8 * numeric::unit;
 template <Real T>
 [[nodiscard]] inline TriangleTerms triangle_terms(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   using namespace numeric;
-  const Lanes a = lanes(triangle.a), d = lanes(ray.direction);
-  const Lanes e1 = lanes(triangle.b) - a, e2 = lanes(triangle.c) - a, t = lanes(ray.origin) - a;
-  const Lanes h = cross(d, e2), g = cross(t, e1);
-  const Columns terms = transposed(e1 * h, t * h, d * g, e2 * g);
-  const Lanes value = terms.first + terms.second + terms.third;
-  const Columns sizes = transposed(magnitudes(e1), magnitudes(t), magnitudes(d), magnitudes(e2));
-  const Lanes size = sizes.first + sizes.second + sizes.third;  // of e1, t, d, e2
-  const Lanes error = triangle_error * __builtin_shufflevector(size, size, 0, 1, 1, 0) *
-                      __builtin_shufflevector(size, size, 2, 2, 2, 1) * __builtin_shufflevector(size, size, 3, 3, 0, 3);
-  return {value[0], value[1], value[2], value[3], error[0], error[1], error[2], error[3],
-          is_ordinary<T>(min(min(size[0], size[1]), min(size[2], size[3])), max(max(size[0], size[1]), max(size[2], size[3])))};
+  const Vector a = vector(triangle.a), d = vector(ray.direction);
+  const Vector e1 = vector(triangle.b) - a, e2 = vector(triangle.c) - a, from_a = vector(ray.origin) - a;
+  const Vector h = cross(d, e2), g = cross(from_a, e1);
+  const double nd = magnitude_sum(d), n1 = magnitude_sum(e1), n2 = magnitude_sum(e2), nt = magnitude_sum(from_a);
+  const double k2 = triangle_error * n2, k1 = triangle_error * n1, dt = nd * nt;
+  // A sum, not a maximum, against `high`: it is NaN where one of them is.
+  return {dot(e1, h),     dot(from_a, h), dot(d, g), dot(e2, g),
+          k2 * (nd * n1), k2 * dt,        k1 * dt,   k2 * (nt * n1),
+          is_ordinary<T>(min(min(nd, nt), min(n1, n2)), nd + nt + n1 + n2)};
 }
 
-/// What the filter can tell. A verdict other than `uncertain` also vouches that the input is valid: a NaN or an infinity anywhere
-/// leaves a term NaN or a norm out of range.
+/// What the filter can tell. A verdict other than `uncertain` also vouches that the input is valid, but for its range.
 enum class TriangleVerdict { miss, face, uncertain };
+
+/// Where the distance lies against a bound x of the range: t > x where distance - x whole > 0. The product and the difference err by less
+/// than a quarter of the bounds' sum.
+struct BoundTest {
+  bool above, below;
+};
+
+[[nodiscard]] inline BoundTest test_bound(double x, double whole, double distance, const TriangleTerms& terms) noexcept {
+  const double f = distance - x * whole;
+  const double error = 1.25 * (terms.distance_error + numeric::magnitude(x) * terms.determinant_error);
+  return {f > error, f < -error};
+}
 
 /// The ray's range must be the default one or ordinary.
 template <Real T>
 [[nodiscard]] inline TriangleVerdict verdict(const TriangleTerms& terms, const Ray<T>& ray) noexcept {
-  using namespace numeric;
   const double sign = __builtin_copysign(1.0, terms.determinant);
   const double whole = terms.determinant * sign, u = terms.u * sign, v = terms.v * sign, distance = terms.distance * sign;
   if (!(terms.are_bounded & (whole > terms.determinant_error))) return TriangleVerdict::uncertain;
-  // The two subtractions err by at most 2 unit (whole + |u| + |v|), less than a tenth of the bounds' sum.
-  const double w = whole - u - v;
-  const double w_error = 1.25 * (terms.determinant_error + terms.u_error + terms.v_error);
-  // One branch, for a random ray's signs cannot be predicted one by one.
+
+  // The subtractions err by at most 2 unit (whole + |u| + |v|), less than a quarter of the bounds' sum.
+  const double w = whole - u - v, w_error = 1.25 * (terms.determinant_error + terms.u_error + terms.v_error);
+  // One branch: a random ray's signs, tested one by one, are mispredicted, which costs more than they save.
   if ((u < -terms.u_error) | (v < -terms.v_error) | (w < -w_error)) return TriangleVerdict::miss;
 
-  bool is_after = distance > terms.distance_error, is_before = distance < -terms.distance_error;
-  if (!is_default_range(ray)) {
-    // t > x where distance - x whole > 0: the product and the difference err by less than a tenth of the bounds' sum.
-    const auto compare = [&](double x, bool& above, bool& below) {
-      const double f = distance - x * whole;
-      const double error = 1.25 * (terms.distance_error + magnitude(x) * terms.determinant_error);
-      above = f > error;
-      below = f < -error;
-    };
-    compare(static_cast<double>(ray.t_min), is_after, is_before);
-    if (is_finite(ray.t_max)) {
-      bool above, below;
-      compare(static_cast<double>(ray.t_max), above, below);
-      is_after = is_after && below;
-      is_before = is_before || above;
+  BoundTest from{distance > terms.distance_error, distance < -terms.distance_error};
+  if (!numeric::is_default_range(ray)) {
+    from = test_bound(static_cast<double>(ray.t_min), whole, distance, terms);
+    if (numeric::is_finite(ray.t_max)) {
+      const BoundTest to = test_bound(static_cast<double>(ray.t_max), whole, distance, terms);
+      from = {from.above && to.below, from.below || to.above};
     }
   }
-  if (is_before) return TriangleVerdict::miss;
+  if (from.below) return TriangleVerdict::miss;
   const bool is_inside = (u > terms.u_error) & (v > terms.v_error) & (w > w_error);
-  return (is_inside & is_after) ? TriangleVerdict::face : TriangleVerdict::uncertain;
+  return (is_inside & from.above) ? TriangleVerdict::face : TriangleVerdict::uncertain;
 }
 
 }  // namespace graze::predicates

@@ -1,0 +1,134 @@
+# The planted bugs. FIND must stand exactly once in FILE.
+
+graze_mutant(
+  flipped_sign
+  MODELS "a sign flipped with the wrong facing"
+  FILE src/exact/triangle.cpp
+  FIND [[negate_if(!flipped, dot(s, r))]]
+  REPLACE [[negate_if(flipped, dot(s, r))]])
+
+graze_mutant(
+  dropped_bound
+  MODELS "t_max forgotten"
+  FILE src/exact/range.hpp
+  FIND [[has_upper_end && numeric::compare(t, t_max) > 0]]
+  REPLACE [[false && numeric::compare(t, t_max) > 0]])
+
+graze_mutant(
+  one_minus_u_below_u
+  MODELS "the slip of lecture notes, 1 - u < u for 1 - u < v"
+  FILE include/graze/predicates/triangle_filter.hpp
+  FIND [[whole - u - v]]
+  REPLACE [[whole - u - u]])
+
+graze_mutant(
+  sign_of_zero_is_zero
+  MODELS "B + sgn(B) sqrt(D) with sgn(0) = 0"
+  FILE src/numeric/approximation.hpp
+  FIND [[const int sign = a.sign == 0 ? 1 : a.sign;]]
+  REPLACE [[const int sign = a.sign;]])
+
+graze_mutant(
+  contraction_on FMA
+  MODELS "error-free transforms compiled with contraction"
+  FILE src/numeric/double_double.hpp
+  FIND [[#if GRAZE_HAS_FMA]]
+  REPLACE [[#if 0]]
+  OPTIONS "-O2 -mfma -ffp-contract=fast")
+
+graze_mutant(
+  filter_constant
+  MODELS "an error bound too small by 2^4"
+  FILE include/graze/predicates/triangle_filter.hpp
+  FIND [[triangle_error =]]
+  REPLACE [[triangle_error = 0x1p-4 *]])
+
+graze_mutant(
+  midpoint_off
+  MODELS "the midpoint test made at the number below instead"
+  FILE src/numeric/rounding.hpp
+  FIND [[{2 * kept + 1, unit - 1, a.sign < 0}]]
+  REPLACE [[{2 * kept, unit - 1, a.sign < 0}]])
+
+graze_mutant(
+  tier_too_narrow
+  MODELS "the bits forgotten that differences and sums of products need"
+  FILE src/exact/scaled.hpp
+  FIND [[input_bits = 64 * K - 4;]]
+  REPLACE [[input_bits = 64 * K;]])
+
+graze_mutant(
+  denormals_are_zero
+  MODELS "validation by comparison of floats, which denormals-are-zero falsifies"
+  FILE include/graze/numeric/bits.hpp
+  FIND [[return magnitude_bits(x) == 0;]]
+  REPLACE [[return x == 0;]])
+
+graze_mutant(
+  rounding_mode_ignored
+  MODELS "error-free transforms trusted in directed rounding"
+  FILE src/numeric/double_double.hpp
+  FIND [[return 1.0 + t == 1.0 && 1.0 - t == 1.0;]]
+  REPLACE [[return 1.0 + t >= 1.0;]])
+
+graze_mutant(
+  negative_zero
+  MODELS "a value below zero that rounds to zero answered as -0"
+  FILE src/numeric/rounding.hpp
+  FIND [[if (shift > 66) return 0;]]
+  REPLACE [[if (shift > 66) return a.sign < 0 ? std::uint64_t(1) << (format.exponent_bits + format.precision - 1) : 0;]])
+
+graze_mutant(
+  tie_to_odd
+  MODELS "ties rounded to odd"
+  FILE src/numeric/rounding.hpp
+  FIND [[(kept & 1) != 0]]
+  REPLACE [[(kept & 1) == 0]])
+
+graze_mutant(
+  corners_swapped
+  MODELS "a corner given another's name"
+  FILE src/exact/triangle.cpp
+  FIND [[TriangleKind::vertex_c : c_is_zero ? TriangleKind::vertex_b]]
+  REPLACE [[TriangleKind::vertex_b : c_is_zero ? TriangleKind::vertex_c]])
+
+graze_mutant(
+  bound_after_rounding
+  MODELS "the range compared with t after rounding"
+  FILE src/exact/sphere.cpp
+  FIND [[const SphereBits bits = answer(input(ray, sphere), numeric::format_of<T>, Wanted::numbers);]]
+  REPLACE [[
+  const Ray<T> line{ray.origin, ray.direction, -std::numeric_limits<T>::max()};
+  SphereBits bits = answer(input(line, sphere), numeric::format_of<T>, Wanted::numbers);
+  const auto is_within = [&](int i) {
+    const T t = std::bit_cast<T>(static_cast<numeric::Bits<T>>(bits.t[i]));
+    return ray.t_min <= t && t <= ray.t_max;
+  };
+  if (bits.kind == SphereKind::tangent && !is_within(0)) bits = {SphereKind::miss, Root::none, bits.origin};
+  if (bits.kind == SphereKind::secant) {
+    const bool first = is_within(0), second = is_within(1);
+    if (!first && !second) bits = {SphereKind::miss, Root::none, bits.origin};
+    else if (!first) bits = {SphereKind::secant, Root::second, bits.origin, {bits.t[1], 0}};
+    else if (!second) bits = {SphereKind::secant, Root::first, bits.origin, {bits.t[0], 0}};
+  }]])
+
+graze_mutant(
+  near_and_far_swapped
+  MODELS "the nearer root taken for the farther where B < 0"
+  FILE src/rounding/roots.cpp
+  FIND [[is_certain = is_negative ? far(hit.t[count++]) : near(hit.t[count++]);]]
+  REPLACE [[is_certain = near(hit.t[count++]);]])
+
+graze_mutant(
+  status_order
+  MODELS "a negative radius told before a zero direction"
+  FILE src/exact/validate.hpp
+  FIND [[if (numeric::is_zero(ray.direction)) return]]
+  REPLACE [[if (numeric::is_zero(ray.direction) && !radius_is_negative) return]])
+
+graze_mutant(
+  open_edge
+  MODELS "the far corner of a segment left out"
+  FILE src/exact/flat.hpp
+  FIND [[compare(w, whole) > 0]]
+  REPLACE [[compare(w, whole) >= 0]])

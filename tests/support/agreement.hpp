@@ -1,0 +1,48 @@
+// The kernel held against the GMP oracle, bit by bit, `hits` with `intersect`.
+#pragma once
+
+#include "fuzz/certify/comparison.hpp"
+#include "fuzz/kernel_calls.hpp"
+#include "fuzz/kernel_check.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/in_mode.hpp"
+
+namespace graze::test {
+
+/// Requires that the kernel says of the case what the oracle says. Assertions are dear, so the cheap test comes first. Returns the
+/// truth.
+template <Real T>
+fuzz::Answer<T> require_agreement(const fuzz::Case<T>& input) {
+  const fuzz::Answer<T> truth = fuzz::answer_of(oracle::gmp_oracle(), input);
+  if (const auto fault = fuzz::find_fault(input, truth, FloatMode::nearest)) {
+    INFO(sizeof(T) * 8 << " bits: " << fuzz::format_case(input));
+    CAPTURE(fault->answer, fault->truth);
+    REQUIRE(!fault.has_value());
+  }
+  return truth;
+}
+
+/// Requires the same in every environment, and that each is left as it was.
+template <Real T>
+void require_agreement_in_all_environments(const fuzz::Case<T>& input) {
+  const fuzz::Answer<T> truth = fuzz::answer_of(oracle::gmp_oracle(), input);
+  for (const Environment& environment : environments) {
+    fuzz::KernelAnswer<T> kernel;
+    bool is_kept = false;
+    {
+      const EnvironmentScope scope(environment);
+      const FloatControl before = float_control();
+      kernel = fuzz::kernel_answer(input);
+      is_kept = float_control() == before;
+    }
+    if (is_kept && fuzz::same_bits(kernel.answer, truth) && kernel.hits == fuzz::is_hit(truth)) continue;
+    INFO(sizeof(T) * 8 << " bits, " << environment << ": " << fuzz::format_case(input));
+    INFO("answered " << fuzz::format_answer(input, kernel.answer, fuzz::Details::yes) << ", true is "
+                     << fuzz::format_answer(input, truth, fuzz::Details::yes));
+    REQUIRE(is_kept);
+    REQUIRE(kernel.hits == fuzz::is_hit(truth));
+    REQUIRE(fuzz::same_bits(kernel.answer, truth));
+  }
+}
+
+}  // namespace graze::test
