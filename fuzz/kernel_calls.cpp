@@ -28,7 +28,11 @@ KernelAnswer<T> answer(const Case<T>& input) {
 
 }  // namespace
 
-KernelAnswer<float> kernel_answer(const Case<float>& input) { return answer(input); }
-KernelAnswer<double> kernel_answer(const Case<double>& input) { return answer(input); }
+KernelAnswer<float> kernel_answer(const Case<float>& input) {
+  return answer(input);
+}
+KernelAnswer<double> kernel_answer(const Case<double>& input) {
+  return answer(input);
+}
 
 }  // namespace graze::fuzz

@@ -27,10 +27,8 @@ class Hash {
   void add(float x) { add(std::uint64_t{std::bit_cast<std::uint32_t>(x)}); }
   void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
   template <class Enum>
-    requires std::is_enum_v<Enum>
-  void add(Enum value) {
-    add(static_cast<std::uint64_t>(value));
-  }
+  requires std::is_enum_v<Enum>
+  void add(Enum value) { add(static_cast<std::uint64_t>(value)); }
   template <Real T>
   void add(const SphereHit<T>& hit) {
     add(hit.status), add(hit.kind), add(hit.root), add(hit.origin), add(hit.t[0]), add(hit.t[1]);
@@ -83,7 +81,8 @@ Digests digests() {
 }
 
 void print(const Digests& all) {
-  std::cout << "# family precision, hash of " << cases << " cases, hash of their answers; made by answers_digest, seed " << seed << '\n';
+  std::cout << "# family precision, hash of " << cases << " cases, hash of their answers; made by answers_digest, seed " << seed
+            << '\n';
   for (const auto& [name, digest] : all) std::cout << name << ' ' << digest.inputs << ' ' << digest.answers << '\n';
 }
 
@@ -118,7 +117,8 @@ int compare(const Digests& golden, const Digests& ours) {
                  "tests/bits/golden.txt\nElse the families depend on the compiler.\n";
   }
   if (other_answers != 0) std::cout << "The same cases have other answers: the bits depend on the build.\n";
-  if (ours.size() != golden.size()) std::cout << "The golden file has " << golden.size() << " lines for " << ours.size() << '\n';
+  if (ours.size() != golden.size())
+    std::cout << "The golden file has " << golden.size() << " lines for " << ours.size() << '\n';
   return golden == ours ? 0 : 1;
 }
 

@@ -92,7 +92,7 @@ TEST_CASE("A quotient is within 12 units, wherever in their slack its terms lie"
     CAPTURE(environment, p.first.mantissa, p.second.mantissa, q.mantissa, q.exponent);
     REQUIRE(is_right);
   }
-  CHECK(quotient({}, {top_bit, 0, -1}).sign == 0);
+  CHECK(numeric::quotient({}, {top_bit, 0, -1}).sign == 0);
 }
 
 TEST_CASE("A square root is within 2 units for all that is cut to its bits") {

@@ -8,6 +8,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/support/bit_patterns.hpp"
+#include "tests/support/hex.hpp"
 #include "tests/support/in_mode.hpp"
 
 namespace graze::test {
@@ -77,7 +78,7 @@ TEST_CASE("Sums, differences and products are split without error") {
                           value_of(difference) == mpq_class(a) - mpq_class(b) && difference.hi == a - b &&
                           value_of(product) == mpq_class(wide_a) * mpq_class(wide_b) && product.hi == wide_a * wide_b;
     if (is_right) continue;
-    CAPTURE(a, b, wide_a, wide_b);
+    CAPTURE(hex(a), hex(b), hex(wide_a), hex(wide_b));
     REQUIRE(is_right);
   }
 }
@@ -92,7 +93,7 @@ TEST_CASE("A sum of pairs errs by at most 4 / 2^106 of the magnitudes") {
     if (random.one_in(4)) b = {-a.hi, random_of_size<double>(random, std::ilogb(a.hi) - 54)};
     const mpq_class x = value_of(a), y = value_of(b), bound = times_power(4 * (abs(x) + abs(y)), -106);
     if (share.admits(value_of(a + b) - (x + y), bound) && share.admits(value_of(a - b) - (x - y), bound)) continue;
-    CAPTURE(a.hi, a.lo, b.hi, b.lo);
+    CAPTURE(hex(a.hi), hex(a.lo), hex(b.hi), hex(b.lo));
     REQUIRE(false);
   }
   CHECK(share.greatest() > 0.1);
@@ -109,7 +110,7 @@ TEST_CASE("A product of pairs errs by at most 8 / 2^106 of itself, one with a nu
         with_number.admits(value_of(a.hi * b) - mpq_class(a.hi) * y, times_power(abs(4 * mpq_class(a.hi) * y), -106)) &&
         share.admits(value_of(a * b) - x * y, times_power(abs(8 * x * y), -106));
     if (is_right) continue;
-    CAPTURE(a.hi, a.lo, b.hi, b.lo);
+    CAPTURE(hex(a.hi), hex(a.lo), hex(b.hi), hex(b.lo));
     REQUIRE(is_right);
   }
   CHECK(share.greatest() > 0.1);
@@ -124,7 +125,7 @@ TEST_CASE("A pair is normalised without error") {
     const Pair loose{hi, random_of_size<double>(random, random.between(-70, -40))};
     const Pair tight = numeric::normalised(loose);
     if (value_of(tight) == value_of(loose) && tight.hi == tight.hi + tight.lo) continue;
-    CAPTURE(loose.hi, loose.lo);
+    CAPTURE(hex(loose.hi), hex(loose.lo));
     REQUIRE(false);
   }
 }
@@ -139,7 +140,7 @@ TEST_CASE("A quotient of pairs errs by less than 2^-100 of itself") {
     if (random.one_in(4)) d = {std::nextafter(n.hi, 0), random.one_in(2) ? 0 : -n.lo};
     const mpq_class truth = value_of(n) / value_of(d);
     if (share.admits(value_of(n / d) - truth, times_power(abs(truth), -100))) continue;
-    CAPTURE(n.hi, n.lo, d.hi, d.lo);
+    CAPTURE(hex(n.hi), hex(n.lo), hex(d.hi), hex(d.lo));
     REQUIRE(false);
   }
   CHECK(share.greatest() > 0.02);
@@ -156,7 +157,7 @@ TEST_CASE("A square root of a pair errs by less than 2^-100 of itself") {
     // The error of the root is half that of its square, to first order: |s^2 - a| / (2 a) below 2^-100, but for its own square.
     const mpq_class x = value_of(a), s = value_of(root);
     if (sgn(s) > 0 && share.admits(s * s - x, times_power(2 * x, -100))) continue;
-    CAPTURE(a.hi, a.lo);
+    CAPTURE(hex(a.hi), hex(a.lo));
     REQUIRE(false);
   }
   CHECK(share.greatest() > 0.02);

@@ -12,16 +12,15 @@ using numeric::PairLanes;
 using predicates::SphereTerms;
 using predicates::SphereVerdict;
 
-/// A, B, C, D and what bounds their errors: A is within relative_error, the others within their errors.
+/// A, B, C, D and what bounds their errors: A is within `relative` of itself, B within relative * sqrt(A c_size).
 struct Coefficients {
   Pair a, b, c, discriminant;
-  double relative_error, b_error, c_error, discriminant_error;
+  double relative, c_error, discriminant_error;
 };
 
 /// As they stand.
 Coefficients coefficients(const Ray<float>&, const Sphere<float>&, const SphereTerms& t) noexcept {
-  const double b_size = __builtin_sqrt(t.a * t.c_size);
-  return {{t.a, 0}, {t.b, 0}, {t.c, 0}, {t.discriminant, 0}, 0x1p-49, 0x1p-49 * b_size, t.c_error, t.discriminant_error};
+  return {{t.a, 0}, {t.b, 0}, {t.c, 0}, {t.discriminant, 0}, 0x1p-49, t.c_error, t.discriminant_error};
 }
 
 /// In double-double, L exact: A, B and C are sums of a few products, each step within 4 * 2^-106 of its terms, so 2^-100 of the sums of
@@ -33,10 +32,17 @@ Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, 
   // C = L.L - r^2 as one sum of four products.
   PairLanes l = two_difference(lanes(sphere.center, sphere.radius), lanes(ray.origin)), m = l;
   m.hi[3] = -m.hi[3];
-  const PairLanes n = normalised(sums(two_product(d, d), d * l, l * m, PairLanes{}));
+  const PairLanes n = sums(two_product(d, d), d * l, l * m, PairLanes{});
   const Pair a{n.hi[0], n.lo[0]}, b{n.hi[1], n.lo[1]}, c{n.hi[2], n.lo[2]};
-  return {a, b, c, normalised(b * b - a * c),
-          0x1p-100, 0x1p-100 * __builtin_sqrt(t.a * t.c_size), 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
+  return {a, b, c, normalised(b * b - a * c), 0x1p-100, 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
+}
+
+/// n / d by d's rounded reciprocal. Neither need be normalised: a low part of relative size x costs x^2, and since the low parts of B, C
+/// and q are below 2^-51 of sqrt(A c_size), c_size and sqrt(A c_size), that is below the errors that those are bounded by.
+Pair divide(const Pair& n, const Pair& d, double reciprocal) noexcept {
+  const double q = n.hi * reciprocal;
+  const Pair p = numeric::two_product(q, d.hi);
+  return {q, (((n.hi - p.hi) - p.lo) + (n.lo - q * d.lo)) * reciprocal};
 }
 
 }  // namespace
@@ -49,20 +55,23 @@ SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms
   const Coefficients k = coefficients(ray, sphere, terms);
   // With D known to 2^-10 its root is known to first order, up to 2^-10 of that.
   if (!(k.discriminant.hi > 0x1p10 * k.discriminant_error)) return exact::intersect(ray, sphere);
-  const Pair s = square_root(k.discriminant);
+  const double s = __builtin_sqrt(k.discriminant.hi), half_reciprocal = 0.5 / s;
+  const Pair square = numeric::two_product(s, s);
+  const Pair root{s, (((k.discriminant.hi - square.hi) - square.lo) + k.discriminant.lo) * half_reciprocal};
   const bool is_negative = k.b.hi < 0;
-  const Pair q = normalised(is_negative ? k.b - s : k.b + s);
-  const double q_size = magnitude(q.hi);
-  const double s_error = 0.5078125 * k.discriminant_error / s.hi;
-  // Relative errors: of q, and with A's or C's of the quotients; the operations themselves add at most relative_error each.
-  const double q_error = (k.b_error + s_error) / q_size + 2 * k.relative_error;
+  const Pair q = is_negative ? k.b - root : k.b + root;
+  const double q_reciprocal = 1 / q.hi, a_reciprocal = 1 / k.a.hi;
+  // Relative errors of q, and with A's and the operations' own of the quotients.
+  const double q_error =
+      (k.relative * __builtin_sqrt(terms.a * terms.c_size) + 1.0078125 * k.discriminant_error * half_reciprocal) *
+          magnitude(q_reciprocal) * (1 + 0x1p-20) + 4 * k.relative;
   const auto far = [&](T& out) {
-    const Pair t = q / k.a;
-    return rounds_certainly(t.hi, t.lo, magnitude(t.hi) * (q_error + 2 * k.relative_error), out);
+    const Pair t = divide(q, k.a, a_reciprocal);
+    return rounds_certainly(t.hi, t.lo, magnitude(t.hi) * q_error, out);
   };
   const auto near = [&](T& out) {
-    const Pair t = k.c / q;
-    return rounds_certainly(t.hi, t.lo, k.c_error / q_size + magnitude(t.hi) * (q_error + 2 * k.relative_error), out);
+    const Pair t = divide(k.c, q, q_reciprocal);
+    return rounds_certainly(t.hi, t.lo, magnitude(t.hi) * q_error + k.c_error * magnitude(q_reciprocal) * (1 + 0x1p-20), out);
   };
   SphereHit<T> hit;
   int count = 0;

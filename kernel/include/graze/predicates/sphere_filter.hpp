@@ -3,8 +3,6 @@
 // The first form of D is the cheaper; the second subtracts no two large squares where the sphere is far (Haines et al. 2019).
 #pragma once
 
-#include <limits>
-
 #include "graze/numeric/filter.hpp"
 
 namespace graze::predicates {
@@ -14,7 +12,7 @@ struct SphereTerms {
   double a, b, c, discriminant;
   double c_size;  ///< L.L + r^2: |C| <= c_size, and |B| <= sqrt(A c_size) by Cauchy and Schwarz
   double c_error, discriminant_error;
-  bool are_bounded;  ///< whether the bounds hold: no vector too long or too short; the discriminant's error is infinite otherwise
+  bool are_bounded;  ///< whether the bounds hold: no vector too long or too short
 };
 
 /// The errors, with unit as in numeric/filter.hpp and S = A c_size:
@@ -37,7 +35,7 @@ template <Real T>
   t.discriminant = t.b * t.b - t.a * t.c;
   t.c_error = 7 * unit * t.c_size;
   t.are_bounded = (t.a >= low) & (t.a <= high) & (t.c_size >= low) & (t.c_size <= high);
-  t.discriminant_error = t.are_bounded ? 24 * unit * (t.a * t.c_size) : std::numeric_limits<double>::infinity();
+  t.discriminant_error = 24 * unit * (t.a * t.c_size);
   return t;
 }
 
@@ -105,13 +103,15 @@ template <Real T>
 
 template <Real T>
 [[nodiscard]] inline SphereVerdict verdict(SphereTerms& t, const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
-  if (!(numeric::magnitude(t.discriminant) > t.discriminant_error)) [[unlikely]] {
+  using numeric::magnitude;
+  if (!(t.are_bounded & (magnitude(t.discriminant) > t.discriminant_error))) [[unlikely]] {
     if (!t.are_bounded) return uncertain_sphere;
     refine_discriminant(t, ray, sphere);
+    if (!(magnitude(t.discriminant) > t.discriminant_error)) return uncertain_sphere;
   }
   // No root: A C > B^2, so the origin is outside.
-  if (t.discriminant < -t.discriminant_error) return {SphereKind::miss, Root::none, OriginSide::outside};
-  return t.discriminant > t.discriminant_error ? verdict_of_secant(t, ray) : uncertain_sphere;
+  if (t.discriminant < 0) return {SphereKind::miss, Root::none, OriginSide::outside};
+  return verdict_of_secant(t, ray);
 }
 
 }  // namespace graze::predicates

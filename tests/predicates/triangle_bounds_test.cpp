@@ -1,0 +1,108 @@
+// The determinants of the triangle filter are within their bounds, in every environment of floating point.
+#include "graze/predicates/triangle_filter.hpp"
+#include "tests/predicates/exact_terms.hpp"
+#include "tests/predicates/hill_climb.hpp"
+#include "tests/support/family_cases.hpp"
+#include "tests/support/formats.hpp"
+#include "tests/support/in_mode.hpp"
+
+namespace graze::test {
+namespace {
+
+using fuzz::RayTriangle;
+using predicates::TriangleTerms;
+
+template <Real T>
+TriangleTerms terms_of(const RayTriangle<T>& query) {
+  return predicates::triangle_terms(query.ray, query.triangle);
+}
+
+template <Real T>
+bool is_finite(const RayTriangle<T>& query) {
+  bool all = true;
+  fuzz::for_each_number(query, [&](const T& x) { all = all && (numeric::is_finite(x) || &x == &query.ray.t_max); });
+  return all;
+}
+
+/// The greatest share of any of the four; `met` counts where there are bounds to hold.
+template <Real T>
+double greatest_share(const RayTriangle<T>& query, int& met) {
+  if (!is_finite(query)) return 0;
+  const ExactTriangle exact = exact_terms(query);
+  double greatest = 0;
+  for (const Environment& environment : environments) {
+    const TriangleTerms t = in_mode(environment, terms_of<T>, query);
+    if (!t.are_bounded) continue;
+    ++met;
+    greatest = std::max({greatest, share_of(t.determinant_error, t.determinant, exact.determinant), share_of(t.u_error, t.u, exact.u),
+                         share_of(t.v_error, t.v, exact.v), share_of(t.distance_error, t.distance, exact.distance)});
+  }
+  return greatest;
+}
+
+template <Real T>
+void require_bounds(const RayTriangle<T>& query, int& met) {
+  const double share = greatest_share(query, met);
+  if (share <= 1) return;
+  INFO(fuzz::format_case(fuzz::Case<T>(query)));
+  REQUIRE(share <= 1);
+}
+
+TEST_CASE("The triangle filter's bounds hold on all families") {
+  in_both_formats([]<Real T>() {
+    int met = 0;
+    each_family_query<RayTriangle, T>(2000, [&](const RayTriangle<T>& query) { require_bounds(query, met); });
+    CHECK(met > 8 * 10000);
+  });
+}
+
+TEST_CASE("The triangle filter's bounds hold at the ends of what it takes") {
+  in_both_formats([]<Real T>() {
+    constexpr std::uint64_t seed = 200;
+    CAPTURE(seed);
+    fuzz::Random random(seed, "triangle ends", sizeof(T));
+    constexpr bool is_float = std::same_as<T, float>;
+    int met = 0;
+    for (int round = 0; round < 20000; ++round) {
+      RayTriangle<T> query{};
+      // Sizes around the least and the greatest that are taken, beside numbers that underflow, or are read as zero.
+      const auto set = [&](T& x, int size) { x = random.one_in(4) ? random_of_size<T>(random, size - random.between(50, 900)) : random_of_size<T>(random, size); };
+      const int positions = random.one_in(2) ? (is_float ? -39 : -199) : (is_float ? 123 : 196);
+      const int directions = random.one_in(2) ? (is_float ? -39 : -199) : (is_float ? 123 : 196);
+      for (T* x : {&query.ray.direction.x, &query.ray.direction.y, &query.ray.direction.z}) set(*x, directions);
+      for (Vec3<T>* v : {&query.ray.origin, &query.triangle.a, &query.triangle.b, &query.triangle.c}) {
+        for (T* x : {&v->x, &v->y, &v->z}) set(*x, positions);
+      }
+      require_bounds(query, met);
+    }
+    CHECK(met > 8 * 5000);
+  });
+}
+
+/// The greatest share of one term over the rounding modes.
+template <class Term>
+void climb_term(std::string_view name, Term term) {
+  climb<RayTriangle<double>>(name, 60000, [&](const RayTriangle<double>& query) {
+    const ExactTriangle exact = exact_terms(query);
+    double greatest = 0;
+    for (const FloatMode mode : rounding_modes) {
+      const TriangleTerms t = in_mode({mode, false}, terms_of<double>, query);
+      if (t.are_bounded) greatest = std::max(greatest, term(t, exact));
+    }
+    return greatest;
+  });
+}
+
+TEST_CASE("The triangle filter's bounds hold where a search makes them tight") {
+  climb_term("triangle determinant", [](const TriangleTerms& t, const ExactTriangle& exact) {
+    return share_of(t.determinant_error, t.determinant, exact.determinant);
+  });
+  climb_term("triangle u", [](const TriangleTerms& t, const ExactTriangle& exact) { return share_of(t.u_error, t.u, exact.u); });
+  climb_term("triangle v", [](const TriangleTerms& t, const ExactTriangle& exact) { return share_of(t.v_error, t.v, exact.v); });
+  climb_term("triangle distance", [](const TriangleTerms& t, const ExactTriangle& exact) {
+    return share_of(t.distance_error, t.distance, exact.distance);
+  });
+}
+
+}  // namespace
+}  // namespace graze::test
