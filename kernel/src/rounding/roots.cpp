@@ -34,11 +34,12 @@ Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, 
   m.hi[3] = -m.hi[3];
   const PairLanes n = sums(two_product(d, d), d * l, l * m, PairLanes{});
   const Pair a{n.hi[0], n.lo[0]}, b{n.hi[1], n.lo[1]}, c{n.hi[2], n.lo[2]};
-  return {a, b, c, normalised(b * b - a * c), 0x1p-100, 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
+  return {a, b, normalised(c), normalised(b * b - a * c), 0x1p-100, 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
 }
 
-/// n / d by d's rounded reciprocal. Neither need be normalised: a low part of relative size x costs x^2, and since the low parts of B, C
-/// and q are below 2^-51 of sqrt(A c_size), c_size and sqrt(A c_size), that is below the errors that those are bounded by.
+/// n / d by d's rounded reciprocal. Where the low parts of n and d are x and y of the high ones, this errs by x y and y^2, and a few
+/// 2^-53 (x + y): A and C are normalised (y, x <= 2^-52). B's low part, and so q's, may be 2^-51 sqrt(A c_size); as q >= sqrt(D), both
+/// 2^-52 y and y^2 <= 2^-102 A c_size / q sqrt(D) are below the errors of q that B's and D's give.
 Pair divide(const Pair& n, const Pair& d, double reciprocal) noexcept {
   const double q = n.hi * reciprocal;
   const Pair p = numeric::two_product(q, d.hi);
