@@ -132,3 +132,10 @@ graze_mutant(
   FILE src/exact/flat.hpp
   FIND [[compare(w, whole) > 0]]
   REPLACE [[compare(w, whole) >= 0]])
+
+graze_mutant(
+  low_part_too_large
+  MODELS "a double-double divided as if it were normalised"
+  FILE src/rounding/roots.cpp
+  FIND [[{a, b, normalised(c), normalised(b * b - a * c)]]
+  REPLACE [[{a, b, c, normalised(b * b - a * c)]])
