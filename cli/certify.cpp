@@ -106,21 +106,21 @@ int run(const Options& options) {
   std::signal(SIGTERM, interrupt);
   const fuzz::Judges judges{*kernel, oracle::gmp_oracle(), oracle::cgal_oracle(), options.second_oracle_every};
   CertifyReport report{std::string(kernel->name()), std::string(kernel->about()), options.seed, options.cases,
-                       options.second_oracle_every, true, 0, {}};
+                       options.second_oracle_every, false, 0, {}};
   const auto start = std::chrono::steady_clock::now();
   {
     const ProgressLine line(progress);
     report.rows = fuzz::run(campaign, judges, progress);
   }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report.is_complete = !interrupted;
+  report.is_interrupted = interrupted;
 
   print(report, std::cout);
   if (json.is_open() && !(json << to_json(report).dump(2) << '\n' << std::flush)) {
     return refuse(options.json + ": could not be written to its end; is the disk full?");
   }
   const bool is_wrong = !report.total().is_clean() || report.lost_rays() != 0;
-  return is_wrong ? exit_found_wrong : report.is_complete ? exit_well : exit_bad_input;
+  return is_wrong ? exit_found_wrong : report.is_complete() ? exit_well : exit_bad_input;
 }
 
 }  // namespace

@@ -35,17 +35,18 @@ std::string worst_error(const Tally& tally) {
   return tally.misrounded == 0 ? "<= 0.5" : formatted("%.4g", tally.worst_ulps);
 }
 
-bool is_mesh(const Row& row) { return row.rays != 0; }
+/// A mesh of which there is something to tell: a kernel without triangles has no rays there.
+bool is_mesh(const Row& row) { return row.is_mesh && (row.rays != 0 || !row.obstacle.empty()); }
 
 void print_verdict(const CertifyReport& report, std::ostream& out) {
   const Tally total = report.total();
   const bool is_wrong = !total.is_clean() || report.lost_rays() != 0;
-  out << (is_wrong ? "FAIL" : report.is_complete ? "PASS" : "INCOMPLETE") << "  " << report.kernel << ": "
+  out << (is_wrong ? "FAIL" : report.is_complete() ? "PASS" : "INCOMPLETE") << "  " << report.kernel << ": "
       << grouped(total.cases) << " answers, " << grouped(total.wrong_kinds()) << " wrong kinds, " << grouped(total.misrounded)
       << " with a number not correctly rounded, worst error " << worst_error(total) << " ulp";
   if (std::any_of(report.rows.begin(), report.rows.end(), is_mesh)) out << ", " << grouped(report.lost_rays()) << " lost rays";
   out << formatted(" (seed %llu, %.1f s)", static_cast<unsigned long long>(report.seed), report.seconds);
-  if (!report.is_complete) out << "; interrupted, the rest is not known";
+  if (report.is_interrupted) out << "; interrupted, the rest is not known";
   out << '\n';
   if (const auto n = total.count(Disagreement::oracles); n != 0) {
     out << "The two oracles differ on " << grouped(n) << " cases: the certifier itself is wrong there.\n";
@@ -56,7 +57,7 @@ void print_families(const CertifyReport& report, std::ostream& out) {
   out << formatted("\n%-22s %-9s %10s %12s %10s %10s %12s %11s\n", "family", "precision", "cases", "wrong kinds", "lost hits",
                    "false hits", "misrounded", "worst ulp");
   for (const Row& row : report.rows) {
-    if (is_mesh(row) || row.tally.cases == 0) continue;
+    if (row.is_mesh || row.tally.cases == 0) continue;
     const Tally& t = row.tally;
     out << formatted("%-22s %-9s %10llu %12llu %10llu %10llu %12llu %11s\n", row.name.c_str(), row.precision.c_str(),
                      static_cast<unsigned long long>(t.cases), static_cast<unsigned long long>(t.wrong_kinds()),
@@ -73,6 +74,10 @@ void print_meshes(const CertifyReport& report, std::ostream& out) {
   for (const Row& row : report.rows) {
     if (!is_mesh(row)) continue;
     const Tally& t = row.tally;
+    if (!row.obstacle.empty()) {
+      out << formatted("%-34s %-9s %s\n", row.name.c_str(), row.precision.c_str(), row.obstacle.c_str());
+      continue;
+    }
     out << formatted("%-34s %-9s %10llu %10llu %10llu %12llu %12llu %11s\n", row.name.c_str(), row.precision.c_str(),
                      static_cast<unsigned long long>(row.rays), static_cast<unsigned long long>(row.lost_rays),
                      static_cast<unsigned long long>(t.cases), static_cast<unsigned long long>(t.wrong_kinds()),
@@ -122,7 +127,11 @@ std::uint64_t CertifyReport::lost_rays() const {
   return n;
 }
 
-bool CertifyReport::is_clean() const { return is_complete && total().is_clean() && lost_rays() == 0; }
+bool CertifyReport::is_complete() const {
+  return !is_interrupted && std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.obstacle.empty(); });
+}
+
+bool CertifyReport::is_clean() const { return is_complete() && total().is_clean() && lost_rays() == 0; }
 
 void print(const CertifyReport& report, std::ostream& out) {
   print_verdict(report, out);
@@ -151,9 +160,10 @@ nlohmann::json to_json(const CertifyReport& report) {
                          {"confirmed_by_second_oracle", t.oracles_compared},
                          {"by_disagreement", by},
                          {"offenders", offenders}};
-    if (is_mesh(row)) {
+    if (row.is_mesh) {
       entry["rays"] = row.rays;
       entry["lost_rays"] = row.lost_rays;
+      if (!row.obstacle.empty()) entry["obstacle"] = row.obstacle;
     }
     rows.push_back(std::move(entry));
   }
@@ -165,7 +175,7 @@ nlohmann::json to_json(const CertifyReport& report) {
           {"seed", report.seed},
           {"cases_per_family", report.cases},
           {"second_oracle_every", report.second_oracle_every},
-          {"complete", report.is_complete},
+          {"complete", report.is_complete()},
           {"clean", report.is_clean()},
           {"seconds", report.seconds},
           {"answers", total.cases},

@@ -16,12 +16,14 @@ struct CertifyReport {
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;  ///< per family and precision, as asked
   std::uint64_t second_oracle_every = 0;
-  bool is_complete = true;  ///< not interrupted
+  bool is_interrupted = false;
   double seconds = 0;
   std::vector<fuzz::Row> rows;
 
   [[nodiscard]] fuzz::Tally total() const;
   [[nodiscard]] std::uint64_t lost_rays() const;
+  /// Not interrupted, and rays could be aimed at every mesh.
+  [[nodiscard]] bool is_complete() const;
   /// Everything agrees and the run is complete.
   [[nodiscard]] bool is_clean() const;
 };

@@ -44,7 +44,8 @@ void plan_mesh(const Mesh& mesh, const Campaign& campaign, const Judges& judges,
   const auto rays = std::make_shared<const MeshRays<T>>(mesh, campaign.seed);
   for (const Target target : {Target::corner, Target::edge_midpoint, Target::face_center}) {
     const std::size_t row = rows.size(), count = rays->count(target);
-    rows.push_back({mesh.name + ": " + std::string(name_of(target)), precision_name<T>, {}});
+    rows.push_back({mesh.name + ": " + std::string(name_of(target)), precision_name<T>, {}, true});
+    if (count == 0) rows.back().obstacle = "no point inside the mesh was found in 64 draws";
     for (std::size_t from = 0; from < count; from += cases_a_job) {
       const std::size_t to = std::min<std::size_t>(from + cases_a_job, count);
       jobs.push_back({row, [rays, &judges, &progress, target, from, to](Row& part) {

@@ -17,8 +17,11 @@ struct Row {
   std::string name;       ///< the family, or "MESH: corners" and the like
   std::string precision;  ///< float or double
   Tally tally;
+  bool is_mesh = false;
   /// Of a mesh: rays aimed, and rays that met nothing where the exact answer is a hit.
   std::uint64_t rays = 0, lost_rays = 0;
+  /// Of a mesh: why no ray could be aimed.
+  std::string obstacle = {};
 };
 
 struct Campaign {

@@ -69,6 +69,10 @@ expect_like "an open mesh" 2 err "open.off: is not closed: the edge from point 0
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' >closed.off
 run certify --mesh closed.off --families pell --cases 10 </dev/null
 expect_like "a mesh of one's own" 0 out "closed.off: corners"
+printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 2 1\n3 0 1 2\n' >flat.off
+run certify --mesh flat.off --families pell --cases 10 </dev/null
+expect_like "a closed mesh without an inside" 2 out "no point inside the mesh was found"
+expect_like "is no pass" 2 out "INCOMPLETE  graze"
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 7\n3 0 3 2\n3 1 2 3\n' >index.off
 run certify --mesh index.off </dev/null
 if [ "$status" != 2 ] || ! grep -qF index.off err; then fail "an index out of range is refused by name"; fi

@@ -1,5 +1,5 @@
-// Sixty-four leading bits: each step's error within what is said of it, for every true value that its inputs may stand for, in every
-// environment of floating point.
+// Sixty-four leading bits: each step's error within what is said of it, for every true value that its inputs may stand for, in
+// every environment of floating point.
 #include "numeric/approximation.hpp"
 
 #include "tests/catch.hpp"
@@ -21,8 +21,8 @@ mpz_class integer_of(std::uint64_t x) {
   return result;
 }
 
-/// A mantissa with its top bit set: a power of two and its neighbours, near all ones, near the square root of a power of two, few
-/// bits, random.
+/// A mantissa with its top bit set: a power of two and its neighbours, near all ones, near the square root of a power of two,
+/// few bits, random.
 std::uint64_t random_mantissa(fuzz::Random& random) {
   constexpr std::uint64_t root_of_two = 0xb504f333f9de6484;  // sqrt(2) * 2^63
   switch (random.below(7)) {
@@ -83,7 +83,8 @@ TEST_CASE("A quotient is within 12 units, wherever in their slack its terms lie"
     const int exponent = p.first.exponent - p.second.exponent;
     for (const int loose : {-4, 4}) {
       for (const int tight : {-1, 1}) {
-        is_right = is_right && is_quotient(n + loose, d + tight, exponent, q, 12) && is_quotient(n + tight, d + loose, exponent, q, 12);
+        is_right = is_right && is_quotient(n + loose, d + tight, exponent, q, 12) &&
+                   is_quotient(n + tight, d + loose, exponent, q, 12);
       }
     }
     // The division alone errs by 2.

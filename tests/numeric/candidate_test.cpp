@@ -101,8 +101,8 @@ TEST_CASE("NaNs, and numbers near the ends of the range, are in doubt") {
   in_both_formats([]<Real T>() {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     for (const Candidate& c : {Candidate{nan, 0, 0x1p-60}, Candidate{1, nan, 0x1p-60}, Candidate{1, 0, nan},
-                               Candidate{infinity, 0, 1}, Candidate{1, 0, infinity}, Candidate{0, 0, 0}, Candidate{0, 0, 0x1p-60},
-                               Candidate{0x1p-1000, 0, 0}, Candidate{0x1p1000, 0, 0}}) {
+                               Candidate{infinity, 0, 1}, Candidate{1, 0, infinity}, Candidate{0, 0, 0},
+                               Candidate{0, 0, 0x1p-60}, Candidate{0x1p-1000, 0, 0}, Candidate{0x1p1000, 0, 0}}) {
       CAPTURE(hex(c.hi), hex(c.lo), hex(c.error));
       CHECK(!judge<T>(c).is_certain);
     }

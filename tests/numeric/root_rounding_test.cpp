@@ -1,9 +1,8 @@
 // Exact roots of quadratics rounded and compared, against GMP: cancellation, ties and near-ties, subnormal results, overflow.
-#include "exact/root.hpp"
-
 #include <cmath>
 #include <limits>
 
+#include "exact/root.hpp"
 #include "oracle/gmp_rounding.hpp"
 #include "tests/catch.hpp"
 #include "tests/numeric/integer_reference.hpp"
@@ -29,7 +28,8 @@ struct Coefficients {
 /// The sign of (b +- sqrt(d)) / a 2^scale - x.
 int order_against(const Coefficients& k, int root_sign, const Dyadic& x) {
   const int exponent = x.exponent - k.scale;
-  const auto up = static_cast<mp_bitcnt_t>(exponent > 0 ? exponent : 0), down = static_cast<mp_bitcnt_t>(exponent < 0 ? -exponent : 0);
+  const auto up = static_cast<mp_bitcnt_t>(exponent > 0 ? exponent : 0),
+             down = static_cast<mp_bitcnt_t>(exponent < 0 ? -exponent : 0);
   mpz_class m = static_cast<unsigned long>(x.mantissa);
   if (x.negative) m = -m;
   return oracle::gmp::sign_of_root((k.b << down) - ((m * k.a) << up), root_sign, k.discriminant() << (2 * down));
@@ -54,7 +54,8 @@ void check(const Coefficients& k, fuzz::Random& random) {
     const Environment& environment = environments[random.below(environments.size())];
     bool is_right = in_mode(environment, rounded<K, T>, root) == numeric::bits_of(expected) && root.sign() == cut.sign;
     const T finite = std::isfinite(expected) ? expected : std::numeric_limits<T>::max();
-    for (const T x : {finite, std::nextafter(finite, T(0)), std::nextafter(finite, 2 * finite), random_finite<T>(random), T(0)}) {
+    for (const T x :
+         {finite, std::nextafter(finite, T(0)), std::nextafter(finite, 2 * finite), random_finite<T>(random), T(0)}) {
       if (!std::isfinite(x)) continue;
       is_right = is_right && numeric::compare(root, numeric::dyadic(x)) == order_against(k, root_sign, numeric::dyadic(x));
     }

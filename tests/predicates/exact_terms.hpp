@@ -25,8 +25,8 @@ struct ExactNumber {
   return value;
 }
 
-/// |computed - exact| / bound, at most 1 only where the exact quotient is; infinity where a number is not finite or the bound is zero
-/// and the error is not.
+/// |computed - exact| / bound, at most 1 only where the exact quotient is; infinity where a number is not finite or the bound
+/// is zero and the error is not.
 [[nodiscard]] inline double share_of(double bound, double computed, const ExactNumber& exact) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!std::isfinite(bound) || !std::isfinite(computed)) return infinity;

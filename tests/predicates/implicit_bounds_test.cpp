@@ -1,4 +1,5 @@
-// f of an implicit surface is within its bound, and its sign is told only where it is right; in every environment of floating point.
+// f of an implicit surface is within its bound, and its sign is told only where it is right; in every environment of floating
+// point.
 #include "graze/predicates/implicit_filter.hpp"
 #include "tests/predicates/exact_terms.hpp"
 #include "tests/predicates/hill_climb.hpp"
@@ -97,7 +98,9 @@ void check_all_sizes() {
       const int spread = random.one_in(2) ? 2 : 60;
       fuzz::for_each_number(query, [&](T& x) {
         const int size = random.one_in(5) ? -middle : middle;
-        x = random.one_in(10) ? T(0) : random_of_size<T>(random, std::min(size + random.between(-spread, spread), Limits::max_exponent - 1));
+        x = random.one_in(10)
+                ? T(0)
+                : random_of_size<T>(random, std::min(size + random.between(-spread, spread), Limits::max_exponent - 1));
       });
       if constexpr (requires { query.sphere; }) query.sphere.radius = std::fabs(query.sphere.radius);
       require_bounds<T>(query, met);

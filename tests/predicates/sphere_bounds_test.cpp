@@ -1,4 +1,5 @@
-// A, B, C and both forms of the discriminant are within what the sphere filter says of them, in every environment of floating point.
+// A, B, C and both forms of the discriminant are within what the sphere filter says of them, in every environment of floating
+// point.
 #include "graze/sphere.hpp"
 #include "tests/predicates/exact_terms.hpp"
 #include "tests/predicates/hill_climb.hpp"
@@ -77,7 +78,9 @@ TEST_CASE("The sphere filter's bounds hold at the ends of what it takes") {
     for (int round = 0; round < 20000; ++round) {
       RaySphere<T> query{};
       const int positions = random_size(), directions = random_size();
-      const auto set = [&](T& x, int size) { x = random_of_size<T>(random, random.one_in(4) ? size - random.between(50, 900) : size); };
+      const auto set = [&](T& x, int size) {
+        x = random_of_size<T>(random, random.one_in(4) ? size - random.between(50, 900) : size);
+      };
       for (T* x : {&query.ray.direction.x, &query.ray.direction.y, &query.ray.direction.z}) set(*x, directions);
       for (Vec3<T>* v : {&query.ray.origin, &query.sphere.center}) {
         for (T* x : {&v->x, &v->y, &v->z}) set(*x, positions);
@@ -106,9 +109,12 @@ void climb_term(std::string_view name, Term term) {
 }
 
 TEST_CASE("The sphere filter's bounds hold where a search makes them tight") {
-  climb_term("sphere A", [](const BothForms& t, const ExactSphere& exact) { return share_of(a_error(t.first), t.first.a, exact.a); });
-  climb_term("sphere B", [](const BothForms& t, const ExactSphere& exact) { return share_of(b_error(t.first), t.first.b, exact.b); });
-  climb_term("sphere C", [](const BothForms& t, const ExactSphere& exact) { return share_of(t.first.c_error, t.first.c, exact.c); });
+  climb_term("sphere A",
+             [](const BothForms& t, const ExactSphere& exact) { return share_of(a_error(t.first), t.first.a, exact.a); });
+  climb_term("sphere B",
+             [](const BothForms& t, const ExactSphere& exact) { return share_of(b_error(t.first), t.first.b, exact.b); });
+  climb_term("sphere C",
+             [](const BothForms& t, const ExactSphere& exact) { return share_of(t.first.c_error, t.first.c, exact.c); });
   climb_term("sphere discriminant", [](const BothForms& t, const ExactSphere& exact) {
     return share_of(t.first.discriminant_error, t.first.discriminant, exact.discriminant);
   });

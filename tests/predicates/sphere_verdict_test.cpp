@@ -1,4 +1,5 @@
-// A verdict of the sphere filter is the truth: the kind, which roots, the side of the origin; in every environment of floating point.
+// A verdict of the sphere filter is the truth: the kind, which roots, the side of the origin; in every environment of floating
+// point.
 #include "fuzz/case_text.hpp"
 #include "graze/sphere.hpp"
 #include "oracle/oracle.hpp"
@@ -69,8 +70,8 @@ RaySphere<T> near_touch(fuzz::Random& random) {
       query.sphere.radius = static_cast<T>(std::hypot(x - s * d.x, y - s * d.y, z - s * d.z));
       break;
     case 1:
-      query.sphere.radius = static_cast<T>(std::hypot(static_cast<double>(c.x) - e.x, static_cast<double>(c.y) - e.y,
-                                                      static_cast<double>(c.z) - e.z));
+      query.sphere.radius = static_cast<T>(
+          std::hypot(static_cast<double>(c.x) - e.x, static_cast<double>(c.y) - e.y, static_cast<double>(c.z) - e.z));
       break;
     default:
       query.sphere.radius = static_cast<T>(std::hypot(x, y, z));
@@ -110,9 +111,11 @@ Place true_place(const ExactSphere& k, double x) {
   const int unit = std::min(0, at.exponent);
   const mpz_class m = in_units(x, unit);
   const int f_unit = std::min({k.a.unit + 2 * unit, k.b.unit + unit, k.c.unit});
-  const auto scaled = [](const mpz_class& value, int from, int to) { return mpz_class(value << static_cast<mp_bitcnt_t>(from - to)); };
-  const mpz_class f = scaled(k.a.value * m * m, k.a.unit + 2 * unit, f_unit) - 2 * scaled(k.b.value * m, k.b.unit + unit, f_unit) +
-                      scaled(k.c.value, k.c.unit, f_unit);
+  const auto scaled = [](const mpz_class& value, int from, int to) {
+    return mpz_class(value << static_cast<mp_bitcnt_t>(from - to));
+  };
+  const mpz_class f = scaled(k.a.value * m * m, k.a.unit + 2 * unit, f_unit) -
+                      2 * scaled(k.b.value * m, k.b.unit + unit, f_unit) + scaled(k.c.value, k.c.unit, f_unit);
   const int g_unit = std::min(k.a.unit + unit, k.b.unit);
   const mpz_class g = scaled(k.a.value * m, k.a.unit + unit, g_unit) - scaled(k.b.value, k.b.unit, g_unit);
   if (sgn(f) == 0) return Place::uncertain;
@@ -128,7 +131,8 @@ TEST_CASE("A number is placed rightly against the roots") {
     const RaySphere<double> query = near_touch<double>(random);
     const ExactSphere exact = exact_terms(query);
     if (sgn(exact.discriminant.value) <= 0) continue;
-    const SphereHit<double> hit = oracle::gmp_oracle().answer({query.ray.origin, query.ray.direction, -0x1p60, 0x1p60}, query.sphere);
+    const SphereHit<double> hit =
+        oracle::gmp_oracle().answer({query.ray.origin, query.ray.direction, -0x1p60, 0x1p60}, query.sphere);
     double x = hit.t[random.below(2)];
     x += x * std::ldexp(random.sign(), -random.between(20, 60));
     if (!numeric::is_ordinary_bound(x)) continue;

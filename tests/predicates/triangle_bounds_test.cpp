@@ -34,8 +34,9 @@ double greatest_share(const RayTriangle<T>& query, int& met) {
     const TriangleTerms t = in_mode(environment, terms_of<T>, query);
     if (!t.are_bounded) continue;
     ++met;
-    greatest = std::max({greatest, share_of(t.determinant_error, t.determinant, exact.determinant), share_of(t.u_error, t.u, exact.u),
-                         share_of(t.v_error, t.v, exact.v), share_of(t.distance_error, t.distance, exact.distance)});
+    greatest =
+        std::max({greatest, share_of(t.determinant_error, t.determinant, exact.determinant), share_of(t.u_error, t.u, exact.u),
+                  share_of(t.v_error, t.v, exact.v), share_of(t.distance_error, t.distance, exact.distance)});
   }
   return greatest;
 }
@@ -66,7 +67,9 @@ TEST_CASE("The triangle filter's bounds hold at the ends of what it takes") {
     for (int round = 0; round < 20000; ++round) {
       RayTriangle<T> query{};
       // Sizes around the least and the greatest that are taken, beside numbers that underflow, or are read as zero.
-      const auto set = [&](T& x, int size) { x = random_of_size<T>(random, random.one_in(4) ? size - random.between(50, 900) : size); };
+      const auto set = [&](T& x, int size) {
+        x = random_of_size<T>(random, random.one_in(4) ? size - random.between(50, 900) : size);
+      };
       const int positions = random.one_in(2) ? (is_float ? -39 : -199) : (is_float ? 123 : 196);
       const int directions = random.one_in(2) ? (is_float ? -39 : -199) : (is_float ? 123 : 196);
       for (T* x : {&query.ray.direction.x, &query.ray.direction.y, &query.ray.direction.z}) set(*x, directions);
@@ -97,8 +100,10 @@ TEST_CASE("The triangle filter's bounds hold where a search makes them tight") {
   climb_term("triangle determinant", [](const TriangleTerms& t, const ExactTriangle& exact) {
     return share_of(t.determinant_error, t.determinant, exact.determinant);
   });
-  climb_term("triangle u", [](const TriangleTerms& t, const ExactTriangle& exact) { return share_of(t.u_error, t.u, exact.u); });
-  climb_term("triangle v", [](const TriangleTerms& t, const ExactTriangle& exact) { return share_of(t.v_error, t.v, exact.v); });
+  climb_term("triangle u",
+             [](const TriangleTerms& t, const ExactTriangle& exact) { return share_of(t.u_error, t.u, exact.u); });
+  climb_term("triangle v",
+             [](const TriangleTerms& t, const ExactTriangle& exact) { return share_of(t.v_error, t.v, exact.v); });
   climb_term("triangle distance", [](const TriangleTerms& t, const ExactTriangle& exact) {
     return share_of(t.distance_error, t.distance, exact.distance);
   });

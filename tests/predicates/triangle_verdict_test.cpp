@@ -60,11 +60,12 @@ TEST_CASE("The triangle filter is never wrong where a ray is aimed at an edge") 
     Spoken spoken;
     for (int round = 0; round < 30000; ++round) {
       RayTriangle<T> query{};
-      for (Vec3<T>* v : {&query.ray.origin, &query.triangle.a, &query.triangle.b, &query.triangle.c}) *v = random_point<T>(random);
+      for (Vec3<T>* v : {&query.ray.origin, &query.triangle.a, &query.triangle.b, &query.triangle.c})
+        *v = random_point<T>(random);
       // Toward a point on an edge, in working precision: off it by about as much as the filter errs.
       const auto& [a, b, c] = query.triangle;
       const T share = T(random.below(1024)) / T(1024);
-      const Vec3<T> &p = random.one_in(2) ? a : b, &e = query.ray.origin;
+      const Vec3<T>&p = random.one_in(2) ? a : b, &e = query.ray.origin;
       query.ray.direction = {p.x + share * (c.x - p.x) - e.x, p.y + share * (c.y - p.y) - e.y, p.z + share * (c.z - p.z) - e.z};
       if (random.one_in(3)) aim_range(query.ray, T(1), random);
       if (random.one_in(6)) query.ray.direction = random_point<T>(random);

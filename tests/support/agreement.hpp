@@ -1,16 +1,20 @@
 // The kernel held against the GMP oracle, bit by bit, `hits` with `intersect`.
 #pragma once
 
+#include "fuzz/case_text.hpp"
 #include "fuzz/certify/comparison.hpp"
 #include "fuzz/kernel_calls.hpp"
 #include "fuzz/kernel_check.hpp"
+#include "fuzz/same_bits.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/family_cases.hpp"
+#include "tests/support/formats.hpp"
 #include "tests/support/in_mode.hpp"
 
 namespace graze::test {
 
-/// Requires that the kernel says of the case what the oracle says. Assertions are dear, so the cheap test comes first. Returns the
-/// truth.
+/// Requires that the kernel says of the case what the oracle says; returns that. Assertions are dear, so the cheap test comes
+/// first.
 template <Real T>
 fuzz::Answer<T> require_agreement(const fuzz::Case<T>& input) {
   const fuzz::Answer<T> truth = fuzz::answer_of(oracle::gmp_oracle(), input);
@@ -43,6 +47,31 @@ void require_agreement_in_all_environments(const fuzz::Case<T>& input) {
     REQUIRE(kernel.hits == fuzz::is_hit(truth));
     REQUIRE(fuzz::same_bits(kernel.answer, truth));
   }
+}
+
+/// The first cases of every family that ask a Query, in both formats; at least so many there are.
+template <template <class> class Query>
+void require_agreement_on_families(std::uint64_t cases_a_family, int least) {
+  in_both_formats([&]<Real T>() {
+    int count = 0;
+    each_family_query<Query, T>(cases_a_family, [&](const Query<T>& query) {
+      require_agreement(fuzz::Case<T>(query));
+      ++count;
+    });
+    CHECK(count >= least);
+  });
+}
+
+template <template <class> class Query>
+void require_agreement_on_families_in_all_environments(std::uint64_t cases_a_family, int least) {
+  in_both_formats([&]<Real T>() {
+    int count = 0;
+    each_family_query<Query, T>(cases_a_family, [&](const Query<T>& query) {
+      require_agreement_in_all_environments(fuzz::Case<T>(query));
+      ++count;
+    });
+    CHECK(count >= least);
+  });
 }
 
 }  // namespace graze::test

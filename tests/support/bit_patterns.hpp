@@ -52,7 +52,8 @@ template <Real T>
   }
 }
 
-/// A number of 53 or 24 random bits, its leading bit 2^exponent; now and then few bits, or all ones, or one ulp off a power of two.
+/// A number of 53 or 24 random bits, its leading bit 2^exponent; now and then few bits, or all ones, or one ulp off a power of
+/// two.
 template <Real T>
 [[nodiscard]] T random_of_size(fuzz::Random& random, int exponent) {
   constexpr int digits = std::numeric_limits<T>::digits;

@@ -11,7 +11,8 @@ namespace graze::test {
 /// The seed of every test over families; a failure prints the case itself too.
 inline constexpr std::uint64_t family_seed = 20261122;
 
-/// Calls visit(query) for the cases 0 to count - 1 of each family that are a Query<T>; the failing case's family and index are told.
+/// Calls visit(query) for the cases 0 to count - 1 of each family that are a Query<T>; the failing case's family and index are
+/// told.
 template <template <class> class Query, Real T, class Visit>
 void each_family_query(std::uint64_t count, Visit visit) {
   CAPTURE(family_seed);

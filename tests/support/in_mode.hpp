@@ -29,10 +29,10 @@ inline std::ostream& operator<<(std::ostream& out, const Environment& environmen
 
 inline constexpr std::array rounding_modes{FloatMode::nearest, FloatMode::upward, FloatMode::downward, FloatMode::toward_zero};
 
-inline constexpr std::array environments{
-    Environment{FloatMode::nearest, false},    Environment{FloatMode::upward, false}, Environment{FloatMode::downward, false},
-    Environment{FloatMode::toward_zero, false}, Environment{FloatMode::nearest, true},  Environment{FloatMode::upward, true},
-    Environment{FloatMode::downward, true},    Environment{FloatMode::toward_zero, true}};
+inline constexpr std::array environments{Environment{FloatMode::nearest, false},  Environment{FloatMode::upward, false},
+                                         Environment{FloatMode::downward, false}, Environment{FloatMode::toward_zero, false},
+                                         Environment{FloatMode::nearest, true},   Environment{FloatMode::upward, true},
+                                         Environment{FloatMode::downward, true},  Environment{FloatMode::toward_zero, true}};
 
 /// Sets the environment while it lives.
 class EnvironmentScope {
@@ -66,7 +66,8 @@ struct FloatControl {
 #endif
 }
 
-/// Calls the function in the environment, and no sooner: the compiler cannot see which function it is, so it cannot move any of it.
+/// Calls the function in the environment, and no sooner: the compiler cannot see which function it is, so it cannot move any of
+/// it.
 template <class Result, class... Params, class... Args>
 Result in_mode(Environment environment, Result (*function)(Params...), Args&&... args) {
   Result (*volatile opaque)(Params...) = function;
