@@ -42,7 +42,8 @@ typename K::Ray_3 ray(const Ray<double>& r) {
   return {point<K>(r.origin), vector<K>(r.direction)};
 }
 
-/// The inputs are CGAL's before the clock starts; EPECK keeps what it has once computed exactly, so its later passes have that for free.
+/// The inputs are CGAL's before the clock starts; EPECK keeps what it has once computed exactly, so its later passes have that
+/// for free.
 template <class K, class Mix>
 void add(const char* name, std::size_t stride, std::vector<Contender>& contenders, const Mix& mix) {
   struct Inputs {
@@ -71,7 +72,11 @@ void add_both(std::vector<Contender>& contenders, const Mix& mix) {
 
 }  // namespace
 
-void add_cgal_peers(std::vector<Contender>& contenders, const TriangleMix<double>& mix) { add_both(contenders, mix); }
-void add_cgal_peers(std::vector<Contender>& contenders, const SphereMix<double>& mix) { add_both(contenders, mix); }
+void add_cgal_peers(std::vector<Contender>& contenders, const TriangleMix<double>& mix) {
+  add_both(contenders, mix);
+}
+void add_cgal_peers(std::vector<Contender>& contenders, const SphereMix<double>& mix) {
+  add_both(contenders, mix);
+}
 
 }  // namespace graze::bench

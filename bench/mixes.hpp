@@ -33,7 +33,9 @@ class Source {
   /// In [0, 1].
   T fraction() { return static_cast<T>(static_cast<double>(bits_()) * 0x1p-64); }
   /// An integer in [-n, n].
-  T integer(std::int64_t n) { return static_cast<T>(static_cast<std::int64_t>(bits_() % static_cast<std::uint64_t>(2 * n + 1)) - n); }
+  T integer(std::int64_t n) {
+    return static_cast<T>(static_cast<std::int64_t>(bits_() % static_cast<std::uint64_t>(2 * n + 1)) - n);
+  }
   bool coin() { return (bits_() & 1) != 0; }
   std::uint64_t below(std::uint64_t n) { return bits_() % n; }
   Vec3<T> point() {
@@ -95,7 +97,8 @@ TriangleMix<T> boundary_triangles(std::size_t n, std::int64_t size) {
   Source<T> s;
   TriangleMix<T> mix{size > 1 << 16 ? "edges and corners, 24-bit lattice" : "edges and corners, 10-bit lattice", {}, {}};
   while (mix.rays.size() < n) {
-    const Vec3<T> a = s.lattice_point(size), d = s.lattice_point(size), f = s.lattice_point(size / 16), g = s.lattice_point(size / 16);
+    const Vec3<T> a = s.lattice_point(size), d = s.lattice_point(size), f = s.lattice_point(size / 16),
+                  g = s.lattice_point(size / 16);
     const std::int64_t i = static_cast<std::int64_t>(s.below(17)), tau = static_cast<std::int64_t>(s.below(4)) + 1;
     const std::uint64_t edge = s.below(4);
     const Vec3<T> b = combination(a, T(16), f, T(0), g), c = combination(a, T(0), f, T(16), g);

@@ -17,7 +17,8 @@ namespace {
 /// A pass of one query over all pairs of a mix.
 template <class Mix, class Query>
 Contender contender(const char* name, const Mix& mix, Query query) {
-  return {name, [&mix, query] {
+  return {name,
+          [&mix, query] {
             std::size_t sum = 0;
             for (std::size_t i = 0; i < mix.rays.size(); ++i) sum += query(mix.rays[i], mix.shapes[i]);
             return sum;
@@ -108,7 +109,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::size_t n = 65536;
-  std::printf("%zu pairs a mix, medians of %d interleaved rounds, [least, greatest]; ratios to the first line of each block\n", n, rounds);
+  std::printf("%zu pairs a mix, medians of %d interleaved rounds, [least, greatest]; ratios to the first line of each block\n",
+              n, rounds);
   graze::bench::race_all<double>(n, rounds);
   graze::bench::race_all<float>(n, rounds);
 }

@@ -20,7 +20,7 @@ struct Contender {
 
 struct Timing {
   std::string name;
-  double median_ns;   ///< per query
+  double median_ns;  ///< per query
   double least_ns, greatest_ns;
 };
 

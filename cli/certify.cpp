@@ -32,7 +32,9 @@ struct Options {
 
 std::atomic<bool> interrupted{false};
 
-void interrupt(int) { interrupted = true; }
+void interrupt(int) {
+  interrupted = true;
+}
 
 /// A line on a terminal, kept up to date while the campaign runs.
 class ProgressLine {
@@ -105,8 +107,14 @@ int run(const Options& options) {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   const fuzz::Judges judges{*kernel, oracle::gmp_oracle(), oracle::cgal_oracle(), options.second_oracle_every};
-  CertifyReport report{std::string(kernel->name()), std::string(kernel->about()), options.seed, options.cases,
-                       options.second_oracle_every, false, 0, {}};
+  CertifyReport report{std::string(kernel->name()),
+                       std::string(kernel->about()),
+                       options.seed,
+                       options.cases,
+                       options.second_oracle_every,
+                       false,
+                       0,
+                       {}};
   const auto start = std::chrono::steady_clock::now();
   {
     const ProgressLine line(progress);

@@ -36,14 +36,19 @@ std::string worst_error(const Tally& tally) {
 }
 
 /// A mesh of which there is something to tell: a kernel without triangles has no rays there.
-bool is_mesh(const Row& row) { return row.is_mesh && (row.rays != 0 || !row.obstacle.empty()); }
+bool is_mesh(const Row& row) {
+  return row.is_mesh && (row.rays != 0 || !row.obstacle.empty());
+}
 
 void print_verdict(const CertifyReport& report, std::ostream& out) {
   const Tally total = report.total();
   const bool is_wrong = !total.is_clean() || report.lost_rays() != 0;
-  out << (is_wrong ? "FAIL" : report.is_complete() ? "PASS" : "INCOMPLETE") << "  " << report.kernel << ": "
-      << grouped(total.cases) << " answers, " << grouped(total.wrong_kinds()) << " wrong kinds, " << grouped(total.misrounded)
-      << " with a number not correctly rounded, worst error " << worst_error(total) << " ulp";
+  out << (is_wrong               ? "FAIL"
+          : report.is_complete() ? "PASS"
+                                 : "INCOMPLETE")
+      << "  " << report.kernel << ": " << grouped(total.cases) << " answers, " << grouped(total.wrong_kinds())
+      << " wrong kinds, " << grouped(total.misrounded) << " with a number not correctly rounded, worst error "
+      << worst_error(total) << " ulp";
   if (std::any_of(report.rows.begin(), report.rows.end(), is_mesh)) out << ", " << grouped(report.lost_rays()) << " lost rays";
   out << formatted(" (seed %llu, %.1f s)", static_cast<unsigned long long>(report.seed), report.seconds);
   if (report.is_interrupted) out << "; interrupted, the rest is not known";
@@ -86,7 +91,8 @@ void print_meshes(const CertifyReport& report, std::ostream& out) {
 }
 
 std::string replay(const CertifyReport& report, const Offender& offender) {
-  return "echo '" + offender.input + "' | graze answer --details --precision " + offender.precision + " --kernel " + report.kernel;
+  return "echo '" + offender.input + "' | graze answer --details --precision " + offender.precision + " --kernel " +
+         report.kernel;
 }
 
 /// Each row's worst, row by row, then what is left out.
@@ -107,10 +113,13 @@ void print_offenders(const CertifyReport& report, std::ostream& out) {
 }
 
 nlohmann::json to_json(const CertifyReport& report, const Offender& o) {
-  return {{"case", o.index},       {"disagreement", fuzz::name_of(o.comparison.disagreement)},
+  return {{"case", o.index},
+          {"disagreement", fuzz::name_of(o.comparison.disagreement)},
           {"error_ulps", o.comparison.error_ulps},
-          {"input", o.input},      {"answer", o.answer},
-          {"exact", o.truth},      {"replay", replay(report, o)}};
+          {"input", o.input},
+          {"answer", o.answer},
+          {"exact", o.truth},
+          {"replay", replay(report, o)}};
 }
 
 }  // namespace
@@ -131,7 +140,9 @@ bool CertifyReport::is_complete() const {
   return !is_interrupted && std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.obstacle.empty(); });
 }
 
-bool CertifyReport::is_clean() const { return is_complete() && total().is_clean() && lost_rays() == 0; }
+bool CertifyReport::is_clean() const {
+  return is_complete() && total().is_clean() && lost_rays() == 0;
+}
 
 void print(const CertifyReport& report, std::ostream& out) {
   print_verdict(report, out);

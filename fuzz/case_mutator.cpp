@@ -91,6 +91,15 @@ void scale(const construct::Coordinates<T>& all, bool is_ray, Random& random) {
   for (std::size_t i = from; i < to; ++i) *all.at[i] = std::ldexp(*all.at[i], exponent);
 }
 
+/// No NaN and no infinity but as the end of a range: what may be nudged.
+template <Real T>
+bool is_finite(const construct::Coordinates<T>& all, const Ray<T>* ray) {
+  for (std::size_t i = 0; i < all.count; ++i) {
+    if (!std::isfinite(*all.at[i])) return false;
+  }
+  return ray == nullptr || (std::isfinite(ray->t_min) && !std::isnan(ray->t_max));
+}
+
 }  // namespace
 
 template <Real T>
@@ -98,7 +107,7 @@ void mutate(Case<T>& input, Random& random) {
   const construct::Coordinates<T> all = construct::coordinates(input);
   Ray<T>* ray = construct::ray_of(input);
   const std::uint64_t kind = random.below(ray != nullptr ? 8 : 5);
-  if (kind < 2) {
+  if (kind < 2 && is_finite(all, ray)) {
     construct::nudge(input, random);
   } else if (kind < 4) {
     change_number(all, random);

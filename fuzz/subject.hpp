@@ -9,7 +9,8 @@
 
 namespace graze::fuzz {
 
-/// Answers cases as the kernel under test does; nullopt for a query that it does not offer. Stateless, safe to share between threads.
+/// Answers cases as the kernel under test does; nullopt for a query that it does not offer. Stateless, safe to share between
+/// threads.
 class Subject {
  public:
   virtual ~Subject() = default;

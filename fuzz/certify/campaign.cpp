@@ -25,8 +25,8 @@ void judge_family(const Family& family, std::uint64_t seed, std::uint64_t from, 
 }
 
 template <Real T>
-void plan_family(const Family& family, const Campaign& campaign, const Judges& judges, Progress& progress, std::vector<Row>& rows,
-                 std::vector<Job>& jobs) {
+void plan_family(const Family& family, const Campaign& campaign, const Judges& judges, Progress& progress,
+                 std::vector<Row>& rows, std::vector<Job>& jobs) {
   const std::size_t row = rows.size();
   rows.push_back({std::string(family.name), precision_name<T>, {}});
   for (std::uint64_t from = 0; from < campaign.cases; from += cases_a_job) {

@@ -39,7 +39,8 @@ struct Progress {
   [[nodiscard]] bool is_stopped() const { return stop != nullptr && *stop; }
 };
 
-/// Runs everything, families first, each row in the order given, float before double. Stopped early, the rows hold what was done.
+/// Runs everything, families first, each row in the order given, float before double. Stopped early, the rows hold what was
+/// done.
 [[nodiscard]] std::vector<Row> run(const Campaign& campaign, const Judges& judges, Progress& progress);
 
 }  // namespace graze::fuzz

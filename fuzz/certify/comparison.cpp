@@ -120,7 +120,10 @@ template <Real T>
 Answer<T> answer_of(const oracle::Oracle& oracle, const Case<T>& input) {
   return std::visit(
       [&](const auto& query) -> Answer<T> {
-        if constexpr (requires { query.ray; query.sphere; }) {
+        if constexpr (requires {
+                        query.ray;
+                        query.sphere;
+                      }) {
           return oracle.answer(query.ray, query.sphere);
         } else if constexpr (requires { query.triangle; }) {
           return oracle.answer(query.ray, query.triangle);

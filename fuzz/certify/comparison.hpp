@@ -11,12 +11,12 @@ namespace graze::fuzz {
 /// The ways to disagree, the worst last.
 enum class Disagreement {
   none,
-  misrounded,   ///< the kind is right, a number is not the correctly rounded one
-  wrong_detail, ///< the kind is right, but not which root, the side of the origin, or the facing
-  wrong_kind,   ///< both hit or both miss, but not in the same kind, side or status
-  false_hit,    ///< a hit that is none
-  lost_hit,     ///< no hit where there is one
-  oracles,      ///< the two oracles differ: nothing is known of the subject, and the certifier is at fault
+  misrounded,    ///< the kind is right, a number is not the correctly rounded one
+  wrong_detail,  ///< the kind is right, but not which root, the side of the origin, or the facing
+  wrong_kind,    ///< both hit or both miss, but not in the same kind, side or status
+  false_hit,     ///< a hit that is none
+  lost_hit,      ///< no hit where there is one
+  oracles,       ///< the two oracles differ: nothing is known of the subject, and the certifier is at fault
 };
 
 [[nodiscard]] std::string_view name_of(Disagreement disagreement);

@@ -27,7 +27,9 @@ bool is_hit(const Answer<T>& answer) {
 }
 
 /// In [0, 1).
-double fraction(Random& random) { return static_cast<double>(random.bits() >> 11) * 0x1p-53; }
+double fraction(Random& random) {
+  return static_cast<double>(random.bits() >> 11) * 0x1p-53;
+}
 
 }  // namespace
 

@@ -18,7 +18,8 @@ enum class Target { corner, edge_midpoint, face_center };
 template <Real T>
 class MeshRays {
  public:
-  /// The origin is drawn by the seed and confirmed inside by exact crossing parity; where none is found in 64 draws, there are no rays.
+  /// The origin is drawn by the seed and confirmed inside by exact crossing parity; where none is found in 64 draws, there are
+  /// no rays.
   MeshRays(const Mesh& mesh, std::uint64_t seed);
 
   [[nodiscard]] std::size_t count(Target target) const;

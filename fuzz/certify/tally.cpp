@@ -12,9 +12,8 @@ bool Tally::is_worse(const Comparison& c, std::uint64_t index, const Offender& t
 }
 
 void Tally::keep(Offender offender) {
-  const auto place = std::find_if(offenders.begin(), offenders.end(), [&](const Offender& kept) {
-    return is_worse(offender.comparison, offender.index, kept);
-  });
+  const auto place = std::find_if(offenders.begin(), offenders.end(),
+                                  [&](const Offender& kept) { return is_worse(offender.comparison, offender.index, kept); });
   offenders.insert(place, std::move(offender));
   if (offenders.size() > kept_offenders) offenders.pop_back();
 }

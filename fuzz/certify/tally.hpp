@@ -13,22 +13,22 @@ namespace graze::fuzz {
 /// A case on which the subject disagrees, as text that replays it.
 struct Offender {
   Comparison comparison;
-  std::uint64_t index = 0;   ///< the case's number in its family or mesh
-  std::string precision;     ///< float or double
-  std::string input;         ///< the case line, in hexadecimal
-  std::string answer, truth; ///< answer lines with details
+  std::uint64_t index = 0;    ///< the case's number in its family or mesh
+  std::string precision;      ///< float or double
+  std::string input;          ///< the case line, in hexadecimal
+  std::string answer, truth;  ///< answer lines with details
 };
 
 struct Tally {
   static constexpr std::size_t kept_offenders = 3;
 
-  std::uint64_t cases = 0;    ///< compared
-  std::uint64_t skipped = 0;  ///< queries that the subject does not offer
+  std::uint64_t cases = 0;                         ///< compared
+  std::uint64_t skipped = 0;                       ///< queries that the subject does not offer
   std::array<std::uint64_t, 7> by_disagreement{};  ///< indexed by Disagreement
-  std::uint64_t misrounded = 0;  ///< answers in which a number is not the correctly rounded one, whatever else is wrong
-  double worst_ulps = 0;         ///< of those numbers
+  std::uint64_t misrounded = 0;        ///< answers in which a number is not the correctly rounded one, whatever else is wrong
+  double worst_ulps = 0;               ///< of those numbers
   std::uint64_t oracles_compared = 0;  ///< cases that the second oracle was asked about too
-  std::vector<Offender> offenders;  ///< the worst first, of equal ones the lowest index first
+  std::vector<Offender> offenders;     ///< the worst first, of equal ones the lowest index first
 
   [[nodiscard]] std::uint64_t count(Disagreement d) const { return by_disagreement[static_cast<std::size_t>(d)]; }
   /// Decisions that are wrong in any way: kind, side, status, root, origin, facing.

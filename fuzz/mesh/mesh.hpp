@@ -22,12 +22,12 @@ struct MeshError {
   std::string what;
 };
 
-/// Reads OFF, OBJ, PLY or STL by the file's ending, through CGAL. A polygon is a fan of triangles from its first corner. Numbers that
-/// are not finite and indices out of range are refused.
+/// Reads OFF, OBJ, PLY or STL by the file's ending, through CGAL. A polygon is a fan of triangles from its first corner.
+/// Numbers that are not finite and indices out of range are refused.
 [[nodiscard]] std::variant<Mesh, MeshError> read_mesh(const std::string& file);
 
-/// A directed edge without its reverse, as indices of points; none where the mesh is closed: every directed edge occurs as often as
-/// its reverse. Points are the same where their coordinates are.
+/// A directed edge without its reverse, as indices of points; none where the mesh is closed: every directed edge occurs as
+/// often as its reverse. Points are the same where their coordinates are.
 struct OpenEdge {
   std::uint32_t from, to;
 };

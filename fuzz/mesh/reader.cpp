@@ -13,7 +13,9 @@ namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
+bool is_finite(const Point& p) {
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
 
 }  // namespace
 
@@ -32,7 +34,8 @@ std::variant<Mesh, MeshError> read_mesh(const std::string& file) {
   } catch (const std::exception&) {
     is_read = false;
   }
-  if (!is_read) return MeshError{file + ": is not a mesh that can be read; OFF, OBJ, PLY and STL are known, by the file's ending"};
+  if (!is_read)
+    return MeshError{file + ": is not a mesh that can be read; OFF, OBJ, PLY and STL are known, by the file's ending"};
   if (polygons.empty()) return MeshError{file + ": holds no faces"};
 
   Mesh mesh;

@@ -1,6 +1,9 @@
 // A digest of the kernel's answers to a fixed stream of cases: `intersect`, `hits` and `side`, all families, both precisions.
+// All floating-point modes must give the same.
 //   answers_digest           prints it: a line for each family and precision, with a hash of the cases and one of the answers
-//   answers_digest GOLDEN    compares it with that file; exit status 0 the same, 1 not, 2 the file cannot be read
+//   answers_digest GOLDEN    compares it with that file
+// Exit status: 0 all is the same, 1 not, 2 the file cannot be read.
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
@@ -11,6 +14,7 @@
 
 #include "fuzz/case_numbers.hpp"
 #include "fuzz/family.hpp"
+#include "fuzz/float_mode.hpp"
 #include "fuzz/kernel_calls.hpp"
 
 namespace graze::fuzz {
@@ -51,24 +55,38 @@ class Hash {
 
 /// Of one family in one precision.
 struct Digest {
-  std::string inputs, answers;
+  std::string inputs, answers;    // in the default mode
+  std::string unlike_modes = {};  // those whose answers differ
   bool operator==(const Digest&) const = default;
 };
 /// By family and precision.
 using Digests = std::map<std::string, Digest>;
 
 template <Real T>
+void add_answer(const Case<T>& input, FloatMode mode, Hash& hash) {
+  const KernelAnswer<T> kernel = [&] {
+    const FloatModeScope scope(mode);
+    return kernel_answer(input);
+  }();
+  std::visit([&](const auto& answer) { hash.add(answer); }, kernel.answer);
+  hash.add(std::uint64_t{kernel.hits});
+}
+
+template <Real T>
 Digest digest_of(const Family& family) {
-  Hash inputs, answers;
+  Hash inputs;
+  std::array<Hash, float_modes.size()> answers;
   for (std::uint64_t index = 0; index < cases; ++index) {
     const Case<T> input = make<T>(family, seed, index).input;
     inputs.add(std::uint64_t{input.index()});
     std::visit([&](const auto& query) { for_each_number(query, [&](const T& x) { inputs.add(x); }); }, input);
-    const KernelAnswer<T> kernel = kernel_answer(input);
-    std::visit([&](const auto& answer) { answers.add(answer); }, kernel.answer);
-    answers.add(std::uint64_t{kernel.hits});
+    for (std::size_t i = 0; i < answers.size(); ++i) add_answer(input, float_modes[i], answers[i]);
   }
-  return {inputs.text(), answers.text()};
+  Digest digest{inputs.text(), answers[0].text()};
+  for (std::size_t i = 1; i < answers.size(); ++i) {
+    if (answers[i].text() != answers[0].text()) digest.unlike_modes.append("; ").append(name_of(float_modes[i]));
+  }
+  return digest;
 }
 
 Digests digests() {
@@ -100,26 +118,38 @@ Digests read(std::istream& file) {
   return all;
 }
 
-int compare(const Digests& golden, const Digests& ours) {
+/// Whether every mode gives the default one's answers; tells where not.
+bool are_modes_alike(const Digests& all) {
+  bool alike = true;
+  for (const auto& [name, digest] : all) {
+    if (digest.unlike_modes.empty()) continue;
+    std::cerr << name << ": the answers depend on the mode" << digest.unlike_modes << '\n';
+    alike = false;
+  }
+  return alike;
+}
+
+bool are_same(const Digests& golden, const Digests& ours) {
   int other_inputs = 0, other_answers = 0;
   for (const auto& [name, digest] : ours) {
     const auto at = golden.find(name);
     if (at == golden.end() || at->second.inputs != digest.inputs) {
-      std::cout << name << ": the cases are others\n";
+      std::cerr << name << ": the cases are others\n";
       ++other_inputs;
     } else if (at->second.answers != digest.answers) {
-      std::cout << name << ": the answers are others\n";
+      std::cerr << name << ": the answers are others\n";
       ++other_answers;
     }
   }
   if (other_inputs != 0) {
-    std::cout << "The cases are not those of the golden file. Where families were changed, make it anew: answers_digest > "
+    std::cerr << "The cases are not those of the golden file. Where families were changed, make it anew: answers_digest > "
                  "tests/bits/golden.txt\nElse the families depend on the compiler.\n";
   }
-  if (other_answers != 0) std::cout << "The same cases have other answers: the bits depend on the build.\n";
-  if (ours.size() != golden.size())
-    std::cout << "The golden file has " << golden.size() << " lines for " << ours.size() << '\n';
-  return golden == ours ? 0 : 1;
+  if (other_answers != 0) std::cerr << "The same cases have other answers: the bits depend on the build.\n";
+  if (golden.size() != ours.size()) {
+    std::cerr << "The golden file has " << golden.size() << " lines where there are " << ours.size() << '\n';
+  }
+  return other_inputs == 0 && other_answers == 0 && golden.size() == ours.size();
 }
 
 }  // namespace
@@ -131,14 +161,17 @@ int main(int argc, char** argv) {
     std::cerr << "usage: answers_digest [GOLDEN]\n";
     return 2;
   }
-  if (argc == 1) {
-    print(digests());
-    return 0;
+  Digests golden;
+  if (argc == 2) {
+    std::ifstream file(argv[1]);
+    if (!file) {
+      std::cerr << argv[1] << ": cannot be read\n";
+      return 2;
+    }
+    golden = read(file);
   }
-  std::ifstream file(argv[1]);
-  if (!file) {
-    std::cerr << argv[1] << ": cannot be read\n";
-    return 2;
-  }
-  return compare(read(file), digests());
+  const Digests ours = digests();
+  if (argc == 1) print(ours);
+  const bool is_same = argc == 1 || are_same(golden, ours);
+  return are_modes_alike(ours) && is_same ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 // Runs a kernel, mutated or not, over all families in both precisions and all floating-point modes, until it is caught.
 //   mutant_NAME [--sound] [--fma] [CASES]
-// CASES a family and precision, 2000 unless said otherwise; --fma: the kernel was compiled with FMA. Exit status: 0 the mutant
+// CASES a family and precision, 10000 unless said otherwise; --fma: the kernel was compiled with FMA. Exit status: 0 the mutant
 // was caught
 // (--sound: nothing was), 1 not so, 2 usage error, 77 this processor cannot run it.
 #include <charconv>
@@ -84,7 +84,7 @@ int run(bool is_sound, std::uint64_t cases) {
 
 int main(int argc, char** argv) {
   bool is_sound = false;
-  std::uint64_t cases = 2000;
+  std::uint64_t cases = 10000;
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     if (argument == "--sound") {

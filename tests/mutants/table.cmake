@@ -38,10 +38,24 @@ graze_mutant(
 
 graze_mutant(
   filter_constant
-  MODELS "an error bound too small by 2^4"
-  FILE include/graze/predicates/triangle_filter.hpp
-  FIND [[triangle_error =]]
-  REPLACE [[triangle_error = 0x1p-4 *]])
+  MODELS "the bound of the discriminant's error too small by 2^4"
+  FILE include/graze/predicates/sphere_filter.hpp
+  FIND [[t.discriminant_error = 24 *]]
+  REPLACE [[t.discriminant_error = 0x1p-4 * 24 *]])
+
+graze_mutant(
+  implicit_constant
+  MODELS "the bound of a plane's error too small by 2^4"
+  FILE include/graze/predicates/implicit_filter.hpp
+  FIND [[5 * numeric::unit * size]]
+  REPLACE [[0x1p-4 * 5 * numeric::unit * size]])
+
+graze_mutant(
+  slack_too_small
+  MODELS "leading bits trusted further than the steps that made them"
+  FILE src/numeric/approximation.hpp
+  FIND [[std::uint64_t slack = 16;]]
+  REPLACE [[std::uint64_t slack = 1;]])
 
 graze_mutant(
   midpoint_off
@@ -139,3 +153,10 @@ graze_mutant(
   FILE src/rounding/roots.cpp
   FIND [[{a, b, normalised(c), normalised(b * b - a * c)]]
   REPLACE [[{a, b, c, normalised(b * b - a * c)]])
+
+graze_mutant(
+  decision_without_range
+  MODELS "a range forgotten where the decision alone is asked for"
+  FILE src/exact/interval.hpp
+  FIND [[if (range.starts_after(last) || range.ends_before(first)) return {};]]
+  REPLACE [[if (rounded && (range.starts_after(last) || range.ends_before(first))) return {};]])

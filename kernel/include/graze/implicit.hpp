@@ -29,8 +29,8 @@ template <Real T>
   return f.is_certain() ? Side{Status::ok, f.sign()} : exact::side(point, plane);
 }
 
-/// The sign of f(p) = |p - center|^2 - radius^2: negative inside, zero exactly on the surface, positive outside; non_finite where a
-/// number is not finite, negative_radius where radius < 0.
+/// The sign of f(p) = |p - center|^2 - radius^2: negative inside, zero exactly on the surface, positive outside; non_finite
+/// where a number is not finite, negative_radius where radius < 0.
 template <Real T>
 [[nodiscard]] inline Side side(const Vec3<T>& point, const Sphere<T>& sphere) noexcept {
   const predicates::BoundedValue f = predicates::value(point, sphere);

@@ -1,8 +1,8 @@
 // Ray and sphere: the exact kind, the side of the origin and the correctly rounded roots, or the decision alone.
 //
 // The same bits from every compiler, flag, rounding mode, and with flush-to-zero or denormals-are-zero on: the filter's bounds
-// hold in all of them, the rounding stage looks at the rounding mode first and leaves a directed one to the exact stage, and the
-// exact stage is integers from the bits of the input. No mode is ever changed. Floating-point traps must be off; the sticky
+// hold in all of them, the rounding stage looks at the rounding mode first and leaves a directed one to the exact stage, and
+// the exact stage is integers from the bits of the input. No mode is ever changed. Floating-point traps must be off; the sticky
 // exception flags may be raised.
 #pragma once
 
@@ -35,8 +35,8 @@ template <Real T>
 }
 }  // namespace predicates
 
-/// Where the ray meets the sphere. The kind is exact, every number is correctly rounded, any input is answered; nothing is thrown,
-/// allocated or kept.
+/// Where the ray meets the sphere. The kind is exact, every number is correctly rounded, any input is answered; nothing is
+/// thrown, allocated or kept.
 template <Real T>
 [[nodiscard]] inline SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   if (!predicates::is_plain(ray, sphere)) return exact::intersect(ray, sphere);

@@ -1,8 +1,8 @@
 // Ray and triangle: the exact kind and the correctly rounded t, u, v, or the decision alone.
 //
 // The same bits from every compiler, flag, rounding mode, and with flush-to-zero or denormals-are-zero on: the filter's bounds
-// hold in all of them, the rounding stage looks at the rounding mode first and leaves a directed one to the exact stage, and the
-// exact stage is integers from the bits of the input. No mode is ever changed. Floating-point traps must be off; the sticky
+// hold in all of them, the rounding stage looks at the rounding mode first and leaves a directed one to the exact stage, and
+// the exact stage is integers from the bits of the input. No mode is ever changed. Floating-point traps must be off; the sticky
 // exception flags may be raised.
 #pragma once
 
@@ -14,7 +14,8 @@ namespace graze {
 namespace rounding {
 /// The numbers of a hit inside the face, from double-double; exact where those are in doubt. Compiled in the library.
 template <Real T>
-[[nodiscard]] TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle, const predicates::TriangleTerms& terms) noexcept;
+[[nodiscard]] TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle,
+                                  const predicates::TriangleTerms& terms) noexcept;
 }  // namespace rounding
 
 namespace exact {
@@ -25,8 +26,8 @@ template <Real T>
 [[nodiscard]] bool hits(const Ray<T>& ray, const Triangle<T>& triangle) noexcept;
 }  // namespace exact
 
-/// Where the ray meets the triangle. The kind is exact, every number is correctly rounded, any input is answered; nothing is thrown,
-/// allocated or kept.
+/// Where the ray meets the triangle. The kind is exact, every number is correctly rounded, any input is answered; nothing is
+/// thrown, allocated or kept.
 template <Real T>
 [[nodiscard]] inline TriangleHit<T> intersect(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   using predicates::TriangleVerdict;

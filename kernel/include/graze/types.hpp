@@ -1,4 +1,5 @@
-// What is asked about: rays, spheres, triangles, lines, planes. Plain data, no invariants: an invalid value is answered, never refused.
+// What is asked about: rays, spheres, triangles, lines, planes. Plain data, no invariants: an invalid value is answered, never
+// refused.
 #pragma once
 
 #include <concepts>

@@ -25,12 +25,13 @@ template <int N>
   return !v.x.is_zero() ? 0 : !v.y.is_zero() ? 1 : 2;
 }
 
-/// A line in the plane of a triangle with normal n. Corners p, q, r are taken relative to the line's origin. Seen along an axis on
-/// which n is not zero, the inside of edge XY is where s cross(Y - X, t d - X) = s cross(X, Y) + t s cross(Y - X, d) >= 0, with s
-/// the sign of n on that axis: each edge bounds t from one side, by its value and slope there.
+/// A line in the plane of a triangle with normal n. Corners p, q, r are taken relative to the line's origin. Seen along an axis
+/// on which n is not zero, the inside of edge XY is where s cross(Y - X, t d - X) = s cross(X, Y) + t s cross(Y - X, d) >= 0,
+/// with s the sign of n on that axis: each edge bounds t from one side, by its value and slope there.
 template <int K>
-[[nodiscard]] inline LineInterval<2 * K> clip_by_edges(const IntegerVec3<K>& d, const IntegerVec3<K>& p, const IntegerVec3<K>& q,
-                                                       const IntegerVec3<K>& r, const IntegerVec3<2 * K>& n, int scale) noexcept {
+[[nodiscard]] inline LineInterval<2 * K> clip_by_edges(const IntegerVec3<K>& d, const IntegerVec3<K>& p,
+                                                       const IntegerVec3<K>& q, const IntegerVec3<K>& r,
+                                                       const IntegerVec3<2 * K>& n, int scale) noexcept {
   const int axis = nonzero_axis(n);
   const bool flipped = component(n, axis).is_negative();
   std::optional<Quotient<2 * K>> first, last;
@@ -81,8 +82,8 @@ template <int K>
 /// The ends of the segment that three collinear corners span: the least and the greatest along an axis where they differ.
 template <int K>
 [[nodiscard]] inline std::pair<const IntegerVec3<K>*, const IntegerVec3<K>*> hull_ends(const IntegerVec3<K>& p,
-                                                                                     const IntegerVec3<K>& q,
-                                                                                     const IntegerVec3<K>& r) noexcept {
+                                                                                       const IntegerVec3<K>& q,
+                                                                                       const IntegerVec3<K>& r) noexcept {
   std::pair<const IntegerVec3<K>*, const IntegerVec3<K>*> ends{&p, &p};
   for (int axis = 0; axis < 3 && ends.first == ends.second; ++axis) {
     for (const IntegerVec3<K>* corner : {&q, &r}) {

@@ -38,7 +38,8 @@ template <Real T>
 Side side(const Vec2<T>& point, const Line<T>& line) noexcept {
   using numeric::is_finite;
   if (!is_finite(point) || !is_finite(line.a) || !is_finite(line.b) || !is_finite(line.c)) return non_finite;
-  return {Status::ok, sign_of_dot<3>({dyadic(line.a), dyadic(line.b), dyadic(line.c)}, {dyadic(point.x), dyadic(point.y), one})};
+  return {Status::ok,
+          sign_of_dot<3>({dyadic(line.a), dyadic(line.b), dyadic(line.c)}, {dyadic(point.x), dyadic(point.y), one})};
 }
 
 template <Real T>

@@ -14,9 +14,7 @@ class Quotient {
  public:
   /// The denominator is not zero. Both magnitudes are below 2^(64 N - 1).
   Quotient(const Integer<N>& numerator, const Integer<N>& denominator, int scale) noexcept
-      : numerator_(denominator.is_negative() ? -numerator : numerator),
-        denominator_(abs(denominator)),
-        scale_(scale) {}
+      : numerator_(denominator.is_negative() ? -numerator : numerator), denominator_(abs(denominator)), scale_(scale) {}
 
   [[nodiscard]] int sign() const noexcept { return numerator_.sign(); }
 
@@ -26,8 +24,8 @@ class Quotient {
     return q;
   }
 
-  /// The sign of n/d 2^scale - x = (n 2^-q - m d) ... for x = m 2^(q + scale) next to the value. There n 2^-q (or m d 2^q) is as
-  /// large as m d (or n), below 2^(64 N - 1 + 54) and a little, so N + 2 limbs hold both sides.
+  /// The sign of n/d 2^scale - x = (n 2^-q - m d) ... for x = m 2^(q + scale) next to the value. There n 2^-q (or m d 2^q) is
+  /// as large as m d (or n), below 2^(64 N - 1 + 54) and a little, so N + 2 limbs hold both sides.
   [[nodiscard]] int compare_near(const Dyadic& x) const noexcept {
     const int q = x.exponent - scale_;
     const Integer<1> mantissa = numeric::integer<1>({x.mantissa, 0, x.negative}, 0);

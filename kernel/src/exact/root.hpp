@@ -29,8 +29,8 @@ class QuadraticRoot {
     return c == 0 && is_near() ? 0 : b;
   }
 
-  /// With q = B + sgn+(B) sqrt(D), sgn+(0) = 1: C / q is the root nearer to zero, q / A the farther. Nothing cancels, and q is not
-  /// zero because D > 0.
+  /// With q = B + sgn+(B) sqrt(D), sgn+(0) = 1: C / q is the root nearer to zero, q / A the farther. Nothing cancels, and q is
+  /// not zero because D > 0.
   [[nodiscard]] Approximation approximation() const noexcept {
     const Approximation q = add_magnitudes(leading(quadratic_.b), square_root(leading(quadratic_.discriminant)));
     Approximation t = is_near() ? quotient(leading(quadratic_.c), q) : quotient(q, leading(quadratic_.a));
@@ -41,10 +41,10 @@ class QuadraticRoot {
   /// The sign of root - x, from the signs of g = A x - B and f = A x^2 - 2 B x + C:
   /// t1 > x where g < 0 and f > 0, t2 > x where g < 0 or f < 0; the root is x where f = 0 on its side of the vertex.
   ///
-  /// Widths, with x = m 2^q in units of the scaled roots, |m| < 2^54, next to a root t != 0 (so C is not 0 where it is the nearer
-  /// one): |B|, |C|, |A| < 2^w with w = 128 K - 2. For q >= 0, A x^2 is at most 4 B^2 / A up to a unit: 2 w + 2 bits. For q < 0 all is
-  /// multiplied by 2^-2q; |t| >= |C| / 2|B| >= 1 / 2|B| gives 2^-q < 2|B| m, so the largest term, 2 B m 2^-q, is below
-  /// 2^(2 w + 2 + 108), and 4 K + 2 limbs have 2 w + 4 + 128 bits.
+  /// Widths, with x = m 2^q in units of the scaled roots, |m| < 2^54, next to a root t != 0 (so C is not 0 where it is the
+  /// nearer one): |B|, |C|, |A| < 2^w with w = 128 K - 2. For q >= 0, A x^2 is at most 4 B^2 / A up to a unit: 2 w + 2 bits.
+  /// For q < 0 all is multiplied by 2^-2q; |t| >= |C| / 2|B| >= 1 / 2|B| gives 2^-q < 2|B| m, so the largest term, 2 B m 2^-q,
+  /// is below 2^(2 w + 2 + 108), and 4 K + 2 limbs have 2 w + 4 + 128 bits.
   [[nodiscard]] int compare_near(const Dyadic& x) const noexcept {
     using numeric::extend;
     constexpr int width = 4 * K + 2;

@@ -1,4 +1,5 @@
-// Inputs as integers: positions in units of one power of two, directions in units of another, in the fewest limbs of five tiers.
+// Inputs as integers: positions in units of one power of two, directions in units of another, in the fewest limbs of five
+// tiers.
 #pragma once
 
 #include "graze/types.hpp"
@@ -42,12 +43,13 @@ template <int N>
 }
 
 /// Inputs of K limbs have at most this many bits; the four spare bits pay for the differences and the sums of products:
-/// with w = 64 K - 4, |c - e| < 2^(w+1), A < 2^(2w+2), |B| < 2^(2w+3), |C| < 2^(2w+4) <= 2^(128K-4), |D| < 2^(4w+7) <= 2^(256K-9),
-/// and a triangle's determinants stay below 6 * 2^(3w+3) < 2^(192K-6).
+/// with w = 64 K - 4, |c - e| < 2^(w+1), A < 2^(2w+2), |B| < 2^(2w+3), |C| < 2^(2w+4) <= 2^(128K-4), |D| < 2^(4w+7) <=
+/// 2^(256K-9), and a triangle's determinants stay below 6 * 2^(3w+3) < 2^(192K-6).
 template <int K>
 inline constexpr int input_bits = 64 * K - 4;
 
-/// Calls f.template operator()<K>() with the least tier K whose inputs have `width` bits. 33 limbs hold all of double: 2,098 bits.
+/// Calls f.template operator()<K>() with the least tier K whose inputs have `width` bits. 33 limbs hold all of double: 2,098
+/// bits.
 template <class F>
 inline auto with_tier(int width, F&& f) noexcept {
   if (width <= input_bits<1>) return f.template operator()<1>();

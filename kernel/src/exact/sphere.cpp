@@ -33,7 +33,7 @@ SphereBits answer(const SphereInput& in, int position_unit, int direction_unit, 
   const IntegerVec3<K> l = integer_vec3<K>(in.center, position_unit) - integer_vec3<K>(in.origin, position_unit);
   const IntegerVec3<K> d = integer_vec3<K>(in.direction, direction_unit);
   const Integer<K> r = numeric::integer<K>(in.radius, position_unit);
-  const Integer<2 * K> a = dot(d, d), b = dot(d, l), c = dot(l, l) - r * r;
+  const Integer<2 *K> a = dot(d, d), b = dot(d, l), c = dot(l, l) - r * r;
   const Integer<4 * K> discriminant = b * b - a * c;
   const int scale = position_unit - direction_unit;
 

@@ -36,18 +36,19 @@ TriangleKind feature(bool a_is_zero, bool b_is_zero, bool c_is_zero) noexcept {
 }
 
 template <int K>
-TriangleBits answer_interval(const LineInterval<2 * K>& interval, TriangleKind kind, const TriangleInput& in, const Format& format,
-                             Wanted wanted) noexcept {
+TriangleBits answer_interval(const LineInterval<2 * K>& interval, TriangleKind kind, const TriangleInput& in,
+                             const Format& format, Wanted wanted) noexcept {
   if (!interval) return {};
   const IntervalBits bits = clip(interval->first, interval->second, in.range, format, wanted == Wanted::numbers);
   if (bits.empty) return {};
   return {kind, Facing::none, bits.first, bits.last, 0, 0};
 }
 
-/// With P, Q, R the corners relative to the origin, det = d . n; the weights of the corners b and c are b/det and c/det, that of a is the
-/// rest, and t = P . n / det.
+/// With P, Q, R the corners relative to the origin, det = d . n; the weights of the corners b and c are b/det and c/det, that
+/// of a is the rest, and t = P . n / det.
 template <int K>
-TriangleBits answer(const TriangleInput& in, int position_unit, int direction_unit, const Format& format, Wanted wanted) noexcept {
+TriangleBits answer(const TriangleInput& in, int position_unit, int direction_unit, const Format& format,
+                    Wanted wanted) noexcept {
   const IntegerVec3<K> e = integer_vec3<K>(in.origin, position_unit);
   const IntegerVec3<K> p = integer_vec3<K>(in.a, position_unit) - e;
   const IntegerVec3<K> q = integer_vec3<K>(in.b, position_unit) - e;
@@ -60,7 +61,7 @@ TriangleBits answer(const TriangleInput& in, int position_unit, int direction_un
     const auto [from, to] = hull_ends(p, q, r);
     return answer_interval<K>(meet_segment(d, *from, *to, scale), TriangleKind::degenerate, in, format, wanted);
   }
-  const Integer<3 * K> determinant = dot(n, d), distance = dot(n, p);
+  const Integer<3 *K> determinant = dot(n, d), distance = dot(n, p);
   const int facing = determinant.sign();
   if (facing == 0) {
     if (!distance.is_zero()) return {};
@@ -73,7 +74,7 @@ TriangleBits answer(const TriangleInput& in, int position_unit, int direction_un
   // d . (R x P) and d . (P x Q), by s = d x P.
   const IntegerVec3<2 * K> s = cross(d, p);
   const Integer<3 * K> whole = negate_if(flipped, determinant);
-  const Integer<3 * K> b = negate_if(!flipped, dot(s, r)), c = negate_if(flipped, dot(s, q));
+  const Integer<3 *K> b = negate_if(!flipped, dot(s, r)), c = negate_if(flipped, dot(s, q));
   if (b.is_negative() || c.is_negative()) return out;
   const Integer<3 * K> a = whole - b - c;
   if (a.is_negative()) return out;
@@ -98,8 +99,8 @@ TriangleBits answer(const TriangleInput& in, const Format& format, Wanted wanted
 template <Real T>
 TriangleInput input(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   using numeric::dyadic;
-  return {dyadic(ray.origin), dyadic(ray.direction), dyadic(triangle.a), dyadic(triangle.b), dyadic(triangle.c),
-          range(ray.t_min, ray.t_max)};
+  return {dyadic(ray.origin), dyadic(ray.direction), dyadic(triangle.a),
+          dyadic(triangle.b), dyadic(triangle.c),    range(ray.t_min, ray.t_max)};
 }
 
 }  // namespace

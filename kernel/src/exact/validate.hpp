@@ -10,8 +10,7 @@ namespace graze::exact {
 template <Real T>
 [[nodiscard]] inline Status status_of(const Ray<T>& ray, bool shape_is_finite, bool radius_is_negative) noexcept {
   using namespace numeric;
-  const bool bounds_are_valid =
-      is_finite(ray.t_min) && (is_finite(ray.t_max) || bits_of(ray.t_max) == infinity_bits<T>);
+  const bool bounds_are_valid = is_finite(ray.t_min) && (is_finite(ray.t_max) || bits_of(ray.t_max) == infinity_bits<T>);
   if (!is_finite(ray.origin) || !is_finite(ray.direction) || !bounds_are_valid || !shape_is_finite) return Status::non_finite;
   if (numeric::is_zero(ray.direction)) return Status::zero_direction;
   if (radius_is_negative) return Status::negative_radius;

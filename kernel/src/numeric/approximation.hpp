@@ -35,14 +35,17 @@ template <int N>
 }
 
 /// A hint of the integer x / 2^11 for a mantissa x: exact in every rounding mode.
-[[nodiscard]] inline double hint(std::uint64_t mantissa) noexcept { return static_cast<double>(static_cast<std::int64_t>(mantissa >> 11)); }
+[[nodiscard]] inline double hint(std::uint64_t mantissa) noexcept {
+  return static_cast<double>(static_cast<std::int64_t>(mantissa >> 11));
+}
 
 /// The integer part of x in [2^62, 2^64).
 [[nodiscard]] inline std::uint64_t to_integer(double x) noexcept {
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(x * 0x1p-2)) << 2;
 }
 
-/// base + rest / d, within a unit, for |rest| < 2^79 and d >= 2^62: a double holds the step to far below a unit. Clamped to [2^63, 2^64).
+/// base + rest / d, within a unit, for |rest| < 2^79 and d >= 2^62: a double holds the step to far below a unit. Clamped to
+/// [2^63, 2^64).
 [[nodiscard]] inline std::uint64_t corrected(std::uint64_t base, SignedWide rest, double d) noexcept {
   const auto step = static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(rest >> 16)) * 0x1p16 / d);
   const SignedWide sum = SignedWide(base) + step;
@@ -50,9 +53,9 @@ template <int N>
   return static_cast<std::uint64_t>(sum > top ? top : sum < bottom ? bottom : sum);
 }
 
-/// n / d for n and d within 4 units and one of them within 1; d is not zero. The relative error of the inputs is below 5 / 2^63, so 10
-/// units of the quotient, the division itself errs by 2. A double's quotient, good to 2^-50 in every rounding mode, is
-/// corrected once by the remainder in integers.
+/// n / d for n and d within 4 units and one of them within 1; d is not zero. The relative error of the inputs is below 5 /
+/// 2^63, so 10 units of the quotient, the division itself errs by 2. A double's quotient, good to 2^-50 in every rounding mode,
+/// is corrected once by the remainder in integers.
 [[nodiscard]] inline Approximation quotient(const Approximation& n, const Approximation& d) noexcept {
   if (n.sign == 0) return {};
   // n 2^shift / d has 64 bits.

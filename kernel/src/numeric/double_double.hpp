@@ -1,6 +1,6 @@
-// Error-free transforms and pairs of doubles (Dekker 1971; Ogita, Rump & Oishi 2005), for one number or for lanes of four. Exact only in
-// rounding to nearest, without contraction and without excess precision: this header is for the library's own files, which ask
-// `rounds_to_nearest` first and are compiled with contraction off.
+// Error-free transforms and pairs of doubles (Dekker 1971; Ogita, Rump & Oishi 2005), for one number or for lanes of four.
+// Exact only in rounding to nearest, without contraction and without excess precision: this header is for the library's own
+// files, which ask `rounds_to_nearest` first and are compiled with contraction off.
 #pragma once
 
 #include <cfloat>
@@ -104,8 +104,12 @@ template <class V>
   return {s, rest / (2 * s)};
 }
 
-[[nodiscard]] inline Lanes rotated_lanes(const Lanes& v) noexcept { return rotated(v); }
-[[nodiscard]] inline PairLanes rotated_lanes(const PairLanes& v) noexcept { return {rotated(v.hi), rotated(v.lo)}; }
+[[nodiscard]] inline Lanes rotated_lanes(const Lanes& v) noexcept {
+  return rotated(v);
+}
+[[nodiscard]] inline PairLanes rotated_lanes(const PairLanes& v) noexcept {
+  return {rotated(v.hi), rotated(v.lo)};
+}
 
 /// a x b in the first three lanes: (a * b.yzx - a.yzx * b).yzx.
 template <class A>

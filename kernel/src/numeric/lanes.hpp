@@ -1,5 +1,5 @@
-// Four doubles side by side, by the compilers' vector extension: each lane is plain IEEE arithmetic, so the bits do not depend on how
-// wide the machine's registers are.
+// Four doubles side by side, by the compilers' vector extension: each lane is plain IEEE arithmetic, so the bits do not depend
+// on how wide the machine's registers are.
 #pragma once
 
 #if defined(__FMA__) && defined(__x86_64__)
@@ -25,7 +25,9 @@ template <Real T>
 }
 
 /// y, z, x, w.
-[[nodiscard]] inline Lanes rotated(const Lanes& v) noexcept { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
+[[nodiscard]] inline Lanes rotated(const Lanes& v) noexcept {
+  return __builtin_shufflevector(v, v, 1, 2, 0, 3);
+}
 
 /// a b + c, rounded once, where the machine can; otherwise this is not declared.
 #if defined(__FMA__) && defined(__x86_64__)
@@ -33,10 +35,14 @@ template <Real T>
 [[nodiscard]] inline Lanes fma(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
   return static_cast<Lanes>(_mm256_fmadd_pd(static_cast<__m256d>(a), static_cast<__m256d>(b), static_cast<__m256d>(c)));
 }
-[[nodiscard]] inline double fma(double a, double b, double c) noexcept { return __builtin_fma(a, b, c); }
+[[nodiscard]] inline double fma(double a, double b, double c) noexcept {
+  return __builtin_fma(a, b, c);
+}
 #elif defined(__aarch64__)
 #define GRAZE_HAS_FMA 1
-[[nodiscard]] inline double fma(double a, double b, double c) noexcept { return __builtin_fma(a, b, c); }
+[[nodiscard]] inline double fma(double a, double b, double c) noexcept {
+  return __builtin_fma(a, b, c);
+}
 [[nodiscard]] inline Lanes fma(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
   return Lanes{fma(a[0], b[0], c[0]), fma(a[1], b[1], c[1]), fma(a[2], b[2], c[2]), fma(a[3], b[3], c[3])};
 }
@@ -45,7 +51,9 @@ template <Real T>
 #endif
 
 /// a x b in the first three lanes: (a * b.yzx - a.yzx * b).yzx.
-[[nodiscard]] inline Lanes cross(const Lanes& a, const Lanes& b) noexcept { return rotated(a * rotated(b) - rotated(a) * b); }
+[[nodiscard]] inline Lanes cross(const Lanes& a, const Lanes& b) noexcept {
+  return rotated(a * rotated(b) - rotated(a) * b);
+}
 
 /// The four rows' first, second, third and fourth numbers.
 struct Columns {

@@ -21,7 +21,8 @@ inline constexpr Format format_of{FormatOf<T>::precision, FormatOf<T>::least_exp
 /// An exact real value has
 ///  - `sign()`;
 ///  - `approximation()`, its leading bits;
-///  - `compare_near(x)`, the exact sign of value - x for a dyadic x of at most 54 bits that the approximation cannot tell from the
+///  - `compare_near(x)`, the exact sign of value - x for a dyadic x of at most 54 bits that the approximation cannot tell from
+///  the
 ///    value, neither of them zero.
 template <class Value>
 [[nodiscard]] inline int compare(const Value& value, const Dyadic& x) noexcept {

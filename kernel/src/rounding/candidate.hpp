@@ -5,8 +5,8 @@
 
 namespace graze::rounding {
 
-/// Sets `out` to the number nearest to a value within `error` of hi + lo (normalised) if the whole of that interval rounds to it, away
-/// from the subnormal and the largest numbers. False, or a NaN on the way, means doubt. Asks for rounding to nearest.
+/// Sets `out` to the number nearest to a value within `error` of hi + lo (normalised) if the whole of that interval rounds to
+/// it, away from the subnormal and the largest numbers. False, or a NaN on the way, means doubt. Asks for rounding to nearest.
 template <Real T>
 [[nodiscard]] inline bool rounds_certainly(double hi, double lo, double error, T& out) noexcept {
   constexpr bool is_float = sizeof(T) < sizeof(double);

@@ -17,8 +17,9 @@ struct Quotients {
   bool are_bounded;
 };
 
-/// The error of n / d: (n_error + |q| d_error) / |d| to first order, and `division` |q| for the division itself. With d known to 2^-10, terms
-/// of second order are below 2^-8 of those. `relative` scales the errors of the terms to those of the determinants used.
+/// The error of n / d: (n_error + |q| d_error) / |d| to first order, and `division` |q| for the division itself. With d known
+/// to 2^-10, terms of second order are below 2^-8 of those. `relative` scales the errors of the terms to those of the
+/// determinants used.
 Quotients with_errors(const Lanes& hi, const Lanes& lo, double determinant, const TriangleTerms& terms, double relative,
                       double division) noexcept {
   using numeric::magnitude;
@@ -39,8 +40,9 @@ Quotients quotients(const Ray<float>&, const Triangle<float>&, const TriangleTer
   return with_errors(Lanes{terms.distance / d, terms.u / d, terms.v / d, 0}, Lanes{}, d, terms, 1, 0x1p-52);
 }
 
-/// The determinants of TriangleTerms in double-double: the differences are exact, a monomial passes through two products and four sums
-/// of at most 4 * 2^-106 each, so 6 * 7 * 4 * 2^-106 m in all; TriangleTerms' bounds are 44 * 2^-52 m, and 2^-50 of that is 4 times as much.
+/// The determinants of TriangleTerms in double-double: the differences are exact, a monomial passes through two products and
+/// four sums of at most 4 * 2^-106 each, so 6 * 7 * 4 * 2^-106 m in all; TriangleTerms' bounds are 44 * 2^-52 m, and 2^-50 of
+/// that is 4 times as much.
 Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleTerms& terms) noexcept {
   using namespace numeric;
   const Lanes a = lanes(triangle.a), d = lanes(ray.direction);

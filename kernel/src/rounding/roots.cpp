@@ -23,9 +23,9 @@ Coefficients coefficients(const Ray<float>&, const Sphere<float>&, const SphereT
   return {{t.a, 0}, {t.b, 0}, {t.c, 0}, {t.discriminant, 0}, 0x1p-49, t.c_error, t.discriminant_error};
 }
 
-/// In double-double, L exact: A, B and C are sums of a few products, each step within 4 * 2^-106 of its terms, so 2^-100 of the sums of
-/// magnitudes A, sqrt(A c_size), c_size is more than enough. D = B^2 - A C: B^2 <= A L.L, so every term is at most A c_size, and the errors
-/// add to less than 8 * 2^-100 A c_size.
+/// In double-double, L exact: A, B and C are sums of a few products, each step within 4 * 2^-106 of its terms, so 2^-100 of the
+/// sums of magnitudes A, sqrt(A c_size), c_size is more than enough. D = B^2 - A C: B^2 <= A L.L, so every term is at most A
+/// c_size, and the errors add to less than 8 * 2^-100 A c_size.
 Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, const SphereTerms& t) noexcept {
   using namespace numeric;
   const Lanes d = lanes(ray.direction);
@@ -37,9 +37,9 @@ Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, 
   return {a, b, normalised(c), normalised(b * b - a * c), 0x1p-100, 0x1p-100 * t.c_size, 0x1p-96 * t.a * t.c_size};
 }
 
-/// n / d by d's rounded reciprocal. Where the low parts of n and d are x and y of the high ones, this errs by x y and y^2, and a few
-/// 2^-53 (x + y): A and C are normalised (y, x <= 2^-52). B's low part, and so q's, may be 2^-51 sqrt(A c_size); as q >= sqrt(D), both
-/// 2^-52 y and y^2 <= 2^-102 A c_size / q sqrt(D) are below the errors of q that B's and D's give.
+/// n / d by d's rounded reciprocal. Where the low parts of n and d are x and y of the high ones, this errs by x y and y^2, and
+/// a few 2^-53 (x + y): A and C are normalised (y, x <= 2^-52). B's low part, and so q's, may be 2^-51 sqrt(A c_size); as q >=
+/// sqrt(D), both 2^-52 y and y^2 <= 2^-102 A c_size / q sqrt(D) are below the errors of q that B's and D's give.
 Pair divide(const Pair& n, const Pair& d, double reciprocal) noexcept {
   const double q = n.hi * reciprocal;
   const Pair p = numeric::two_product(q, d.hi);
@@ -50,7 +50,8 @@ Pair divide(const Pair& n, const Pair& d, double reciprocal) noexcept {
 
 /// With q = B + sgn+(B) sqrt(D), sgn+(0) = 1: q / A is the root farther from zero, C / q the nearer; nothing cancels.
 template <Real T>
-SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms& terms, const SphereVerdict& verdict) noexcept {
+SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms& terms,
+                   const SphereVerdict& verdict) noexcept {
   using numeric::magnitude;
   if (!numeric::rounds_to_nearest()) return exact::intersect(ray, sphere);
   const Coefficients k = coefficients(ray, sphere, terms);
@@ -65,7 +66,8 @@ SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms
   // Relative errors of q, and with A's and the operations' own of the quotients.
   const double q_error =
       (k.relative * __builtin_sqrt(terms.a * terms.c_size) + 1.0078125 * k.discriminant_error * half_reciprocal) *
-          magnitude(q_reciprocal) * (1 + 0x1p-20) + 4 * k.relative;
+          magnitude(q_reciprocal) * (1 + 0x1p-20) +
+      4 * k.relative;
   const auto far = [&](T& out) {
     const Pair t = divide(q, k.a, a_reciprocal);
     return rounds_certainly(t.hi, t.lo, magnitude(t.hi) * q_error, out);

@@ -15,7 +15,7 @@ struct FormatOf;
 template <>
 struct FormatOf<float> {
   using Bits = std::uint32_t;
-  static constexpr int precision = 24;       ///< bits of the significand, the hidden one included
+  static constexpr int precision = 24;         ///< bits of the significand, the hidden one included
   static constexpr int least_exponent = -149;  ///< 2^least_exponent is the least subnormal number
   static constexpr int exponent_bits = 8;
 };

@@ -1,5 +1,5 @@
-// The working-precision filters' common ground. A filter computes in double, whatever the inputs' precision, and knows a bound of
-// its own error; what it can't tell it leaves to the exact stage.
+// The working-precision filters' common ground. A filter computes in double, whatever the inputs' precision, and knows a bound
+// of its own error; what it can't tell it leaves to the exact stage.
 //
 // The bounds hold in every rounding mode, with flush-to-zero and denormals-are-zero, and where the compiler contracts to FMA or
 // keeps excess precision:
@@ -38,11 +38,17 @@ template <Real T>
   return (least >= Ordinary<T>::low) & (greatest <= Ordinary<T>::high);
 }
 
-[[nodiscard]] inline double magnitude(double x) noexcept { return __builtin_fabs(x); }
+[[nodiscard]] inline double magnitude(double x) noexcept {
+  return __builtin_fabs(x);
+}
 
 /// The second argument where one is NaN.
-[[nodiscard]] inline double max(double a, double b) noexcept { return a > b ? a : b; }
-[[nodiscard]] inline double min(double a, double b) noexcept { return a < b ? a : b; }
+[[nodiscard]] inline double max(double a, double b) noexcept {
+  return a > b ? a : b;
+}
+[[nodiscard]] inline double min(double a, double b) noexcept {
+  return a < b ? a : b;
+}
 
 /// A vector in working precision.
 struct Vector {
@@ -54,7 +60,9 @@ template <Real T>
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-[[nodiscard]] inline Vector operator-(const Vector& a, const Vector& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+[[nodiscard]] inline Vector operator-(const Vector& a, const Vector& b) noexcept {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
 /// a b + c, in one rounding where the machine does that fast: filters only err less by it.
 [[nodiscard]] inline double multiply_add(double a, double b, double c) noexcept {
@@ -74,7 +82,9 @@ template <Real T>
 }
 
 /// |x| + |y| + |z|: at least the length, and NaN or infinite where a component is.
-[[nodiscard]] inline double magnitude_sum(const Vector& v) noexcept { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); }
+[[nodiscard]] inline double magnitude_sum(const Vector& v) noexcept {
+  return magnitude(v.x) + magnitude(v.y) + magnitude(v.z);
+}
 
 /// 0 <= t without upper end, told from the bits.
 template <Real T>
@@ -92,8 +102,8 @@ template <Real T>
 /// A valid range whose finite bounds a filter takes; other ranges are for the exact stage.
 template <Real T>
 [[nodiscard]] inline bool is_ordinary_range(const Ray<T>& ray) noexcept {
-  return is_ordinary_bound(ray.t_min) && (is_ordinary_bound(ray.t_max) || bits_of(ray.t_max) == infinity_bits<T>) &&
-         order_key(ray.t_min) <= order_key(ray.t_max);
+  return is_ordinary_bound(ray.t_min) &&
+         (is_ordinary_bound(ray.t_max) || bits_of(ray.t_max) == infinity_bits<T>)&&order_key(ray.t_min) <= order_key(ray.t_max);
 }
 
 }  // namespace graze::numeric

@@ -5,7 +5,8 @@
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(__ASSOCIATIVE_MATH__) || \
     defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
-#error "graze: compile without -ffast-math, -ffinite-math-only, -fassociative-math and -freciprocal-math (-fno-fast-math): \
+#error \
+    "graze: compile without -ffast-math, -ffinite-math-only, -fassociative-math and -freciprocal-math (-fno-fast-math): \
 they change the results that the error bounds are proven for."
 #endif
 

@@ -6,7 +6,8 @@
 
 namespace graze::predicates {
 
-/// A value and a bound of its error. A NaN or an infinity in the input leaves the value or the bound NaN or infinite, and so uncertain.
+/// A value and a bound of its error. A NaN or an infinity in the input leaves the value or the bound NaN or infinite, and so
+/// uncertain.
 struct BoundedValue {
   double value, error;
 
@@ -14,8 +15,9 @@ struct BoundedValue {
   [[nodiscard]] Sign sign() const noexcept { return value < 0 ? Sign::negative : Sign::positive; }
 };
 
-/// Underflow, flush-to-zero and denormals-are-zero: a product, or an input that is read as zero, errs by at most 2^-1022 (float: an
-/// input, 2^-126) times (1 + the other factor). Three or four of these are paid for by this share of the magnitudes' sum.
+/// Underflow, flush-to-zero and denormals-are-zero: a product, or an input that is read as zero, errs by at most 2^-1022
+/// (float: an input, 2^-126) times (1 + the other factor). Three or four of these are paid for by this share of the magnitudes'
+/// sum.
 template <Real T>
 inline constexpr double underflow_share = sizeof(T) < sizeof(double) ? 0x1p-122 : 0x1p-1018;
 
@@ -41,7 +43,8 @@ template <Real T>
   return {ax + by + cz + d, 5 * numeric::unit * size + underflow_share<T> * inputs};
 }
 
-/// As C in SphereTerms: 7 unit of the sum of squares. A radius with a sign, or a size out of the filter's range, is left uncertain.
+/// As C in SphereTerms: 7 unit of the sum of squares. A radius with a sign, or a size out of the filter's range, is left
+/// uncertain.
 template <Real T>
 [[nodiscard]] inline BoundedValue value(const Vec3<T>& p, const Sphere<T>& sphere) noexcept {
   using namespace numeric;

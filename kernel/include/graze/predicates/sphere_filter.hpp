@@ -16,10 +16,12 @@ struct SphereTerms {
 };
 
 /// The errors, with unit as in numeric/filter.hpp and S = A c_size:
-///  - A is rounded 3 times (a product, two sums); L.L twice more, in L; r^2 once; C once more: |C error| <= 6 unit c_size, 7 with slack;
+///  - A is rounded 3 times (a product, two sums); L.L twice more, in L; r^2 once; C once more: |C error| <= 6 unit c_size, 7
+///  with slack;
 ///  - B: monomials d L of 4 roundings, so at most 4 unit |d||L| <= 4 unit sqrt(S);
 ///  - D: B^2 errs by 2 * 4 unit S + 1 unit S, A C by (3 + 6 + 1) unit S, the subtraction by 2 unit S: 21 unit S, 24 with slack.
-/// A and c_size in [low^2, high^2] keep every vector ordinary. A NaN or an infinity anywhere leaves A, c_size or D not ordinary.
+/// A and c_size in [low^2, high^2] keep every vector ordinary. A NaN or an infinity anywhere leaves A, c_size or D not
+/// ordinary.
 template <Real T>
 [[nodiscard]] inline SphereTerms sphere_terms(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   using namespace numeric;
@@ -39,9 +41,9 @@ template <Real T>
   return t;
 }
 
-/// The discriminant by the perpendicular, for what the first form leaves in doubt. A component X of d x L has two monomials of 3
-/// roundings, in magnitude at most |d||L| together: x = 3 unit sqrt(S), 4 with slack; |X|^2 errs by 2 x |X|_1 + 3 x^2 and by 3 unit in its squares and
-/// sums, A r^2 by 5 unit, the subtraction by 1: 7 unit with slack.
+/// The discriminant by the perpendicular, for what the first form leaves in doubt. A component X of d x L has two monomials of
+/// 3 roundings, in magnitude at most |d||L| together: x = 3 unit sqrt(S), 4 with slack; |X|^2 errs by 2 x |X|_1 + 3 x^2 and by
+/// 3 unit in its squares and sums, A r^2 by 5 unit, the subtraction by 1: 7 unit with slack.
 template <Real T>
 inline void refine_discriminant(SphereTerms& t, const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   using namespace numeric;
@@ -56,8 +58,9 @@ inline void refine_discriminant(SphereTerms& t, const Ray<T>& ray, const Sphere<
 /// Where a number x lies against the roots t1 < t2.
 enum class Place { before, between, after, uncertain };
 
-/// By the signs of f = A x^2 - 2 B x + C and g = A x - B, for x = 0 or ordinary. With b = sqrt(A c_size) >= |B|, B errs by 4 unit b, A by 3 unit,
-/// C by c_error, and each form is rounded at most 4 times more: 16 unit of the sum of magnitudes covers it.
+/// By the signs of f = A x^2 - 2 B x + C and g = A x - B, for x = 0 or ordinary. With b = sqrt(A c_size) >= |B|, B errs by 4
+/// unit b, A by 3 unit, C by c_error, and each form is rounded at most 4 times more: 16 unit of the sum of magnitudes covers
+/// it.
 [[nodiscard]] inline Place place_of(double x, const SphereTerms& t) noexcept {
   using numeric::magnitude;
   const double ax = t.a * x, f = (ax - 2 * t.b) * x + t.c, g = ax - t.b;
@@ -69,7 +72,8 @@ enum class Place { before, between, after, uncertain };
   return g < -g_error ? Place::before : g > g_error ? Place::after : Place::uncertain;
 }
 
-/// What the filter can tell. A verdict other than `invalid`, which stands for uncertain, vouches that all is valid but the radius's sign.
+/// What the filter can tell. A verdict other than `invalid`, which stands for uncertain, vouches that all is valid but the
+/// radius's sign.
 struct SphereVerdict {
   SphereKind kind;  ///< miss, secant, or invalid
   Root root;
@@ -89,7 +93,7 @@ template <Real T>
   using numeric::magnitude_bits;
   if (!(numeric::magnitude(t.c) > t.c_error)) return uncertain_sphere;
   // Where C > 0 it exceeds unit / 2 of c_size, so B^2 > A C > unit / 2 S: B is far from zero, and its computed sign right.
-  const bool is_inside = t.c < 0, is_ahead = t.b > 0;
+  const bool is_inside = t.c<0, is_ahead = t.b> 0;
   const OriginSide origin = is_inside ? OriginSide::inside : OriginSide::outside;
   if (numeric::is_default_range(ray)) return verdict_of_roots(!is_inside && is_ahead, is_inside || is_ahead, origin);
   const auto place = [&](T x) {

@@ -1,4 +1,5 @@
-// Ray and triangle in working precision, with proven error bounds. With E1 = b - a, E2 = c - a, T = e - a, H = d x E2 and G = T x E1:
+// Ray and triangle in working precision, with proven error bounds. With E1 = b - a, E2 = c - a, T = e - a, H = d x E2 and G = T
+// x E1:
 //   determinant = E1.H = -d.n,   u = T.H / determinant,   v = d.G / determinant,   t = E2.G / determinant
 // (Moeller & Trumbore 1997). Corners enter as differences, so small triangles far from the origin lose nothing.
 #pragma once
@@ -9,10 +10,11 @@ namespace graze::predicates {
 
 /// The four determinants and bounds of their errors.
 ///
-/// Each is a sum of six monomials xyz in components of three vectors, together at most m, the product of their sums of magnitudes.
-/// A monomial is rounded at most 7 times: two differences, two products, one subtraction, two sums. So the error is at most
-/// ((1 + unit)^7 - 1) m < 7.001 unit m. The vectors in m are rounded differences, m itself is rounded 8 times: 8 unit m covers that,
-/// and underflow (see numeric/filter.hpp). A NaN or an infinity in a vector makes its sum not ordinary.
+/// Each is a sum of six monomials xyz in components of three vectors, together at most m, the product of their sums of
+/// magnitudes. A monomial is rounded at most 7 times: two differences, two products, one subtraction, two sums. So the error is
+/// at most
+/// ((1 + unit)^7 - 1) m < 7.001 unit m. The vectors in m are rounded differences, m itself is rounded 8 times: 8 unit m covers
+/// that, and underflow (see numeric/filter.hpp). A NaN or an infinity in a vector makes its sum not ordinary.
 struct TriangleTerms {
   double determinant, u, v, distance;
   double determinant_error, u_error, v_error, distance_error;
@@ -31,16 +33,16 @@ template <Real T>
   const double nd = magnitude_sum(d), n1 = magnitude_sum(e1), n2 = magnitude_sum(e2), nt = magnitude_sum(from_a);
   const double k2 = triangle_error * n2, k1 = triangle_error * n1, dt = nd * nt;
   // A sum, not a maximum, against `high`: it is NaN where one of them is.
-  return {dot(e1, h),     dot(from_a, h), dot(d, g), dot(e2, g),
-          k2 * (nd * n1), k2 * dt,        k1 * dt,   k2 * (nt * n1),
-          is_ordinary<T>(min(min(nd, nt), min(n1, n2)), nd + nt + n1 + n2)};
+  return {dot(e1, h), dot(from_a, h), dot(d, g),
+          dot(e2, g), k2 * (nd * n1), k2 * dt,
+          k1 * dt,    k2 * (nt * n1), is_ordinary<T>(min(min(nd, nt), min(n1, n2)), nd + nt + n1 + n2)};
 }
 
 /// What the filter can tell. A verdict other than `uncertain` also vouches that the input is valid, but for its range.
 enum class TriangleVerdict { miss, face, uncertain };
 
-/// Where the distance lies against a bound x of the range: t > x where distance - x whole > 0. The product and the difference err by less
-/// than a quarter of the bounds' sum.
+/// Where the distance lies against a bound x of the range: t > x where distance - x whole > 0. The product and the difference
+/// err by less than a quarter of the bounds' sum.
 struct BoundTest {
   bool above, below;
 };
