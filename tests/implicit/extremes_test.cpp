@@ -1,0 +1,91 @@
+// Point and implicit surface at both ends of the range of numbers, and at every scale between.
+#include <cmath>
+
+#include "fuzz/case_numbers.hpp"
+#include "fuzz/random.hpp"
+#include "graze/implicit.hpp"
+#include "tests/support/agreement.hpp"
+#include "tests/support/answers.hpp"
+
+namespace graze::test {
+namespace {
+
+constexpr Side negative{Status::ok, Sign::negative}, on{Status::ok, Sign::zero}, positive{Status::ok, Sign::positive};
+
+TEST_CASE("The least and the largest numbers have sides like others") {
+  in_both_formats([]<Real T>() {
+    const T least = kLeast<T>, big = kGreatest<T>;
+    CHECK(side(Vec2<T>{least, least}, Line<T>{least, -least, 0}) == on);
+    CHECK(side(Vec2<T>{least, 2 * least}, Line<T>{least, -least, 0}) == negative);
+    CHECK(side(Vec2<T>{big, big}, Line<T>{big, -big, 0}) == on);
+    CHECK(side(Vec2<T>{big, std::nextafter(big, T(0))}, Line<T>{big, -big, 0}) == positive);
+    CHECK(side(Vec2<T>{least, 0}, Line<T>{least, 0, -least}) == negative);
+    CHECK(side(Vec2<T>{least, 0}, Line<T>{1, 0, -least}) == on);
+    CHECK(side(Vec3<T>{3 * least, 0, 4 * least}, Sphere<T>{{0, 0, 0}, 5 * least}) == on);
+    CHECK(side(Vec3<T>{3 * least, least, 4 * least}, Sphere<T>{{0, 0, 0}, 5 * least}) == positive);
+    CHECK(side(Vec3<T>{big, 0, 0}, Sphere<T>{{-big, 0, 0}, big}) == positive);
+    CHECK(side(Vec3<T>{big, 0, 0}, Sphere<T>{{0, 0, 0}, big}) == on);
+    CHECK(side(Vec3<T>{big, least, 0}, Sphere<T>{{0, 0, 0}, big}) == positive);
+    CHECK(side(Vec3<T>{std::nextafter(big, T(0)), least, 0}, Sphere<T>{{0, 0, 0}, big}) == negative);
+  });
+}
+
+/// The side of the query with everything times a power of two, f and its sign along with it.
+template <Real T>
+void check_scaled(const fuzz::PointSphere<T>& query, int exponent) {
+  const auto scale = [&](T x) { return std::ldexp(x, exponent); };
+  const auto& [p, sphere] = query;
+  const auto& c = sphere.center;
+  const Side found =
+      side(Vec3<T>{scale(p.x), scale(p.y), scale(p.z)}, Sphere<T>{{scale(c.x), scale(c.y), scale(c.z)}, scale(sphere.radius)});
+  const Side expected = side(p, sphere);
+  if (found == expected) return;
+  CAPTURE(exponent, found, expected);
+  INFO(fuzz::format_case(fuzz::Case<T>(query)));
+  REQUIRE(found == expected);
+}
+
+TEST_CASE("A power of two on all lengths changes no side of a sphere") {
+  in_both_formats([]<Real T>() {
+    constexpr std::uint64_t seed = 16;
+    CAPTURE(seed);
+    fuzz::Random random(seed, "scaled points", sizeof(T));
+    int met[3] = {};
+    for (int exponent = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;
+         exponent <= std::numeric_limits<T>::max_exponent - 4; ++exponent) {
+      for (int i = 0; i < 8; ++i) {
+        fuzz::PointSphere<T> query{};
+        fuzz::for_each_number(query, [&](T& x) { x = T(random.between(-4, 4)); });
+        query.sphere.radius = std::fabs(query.sphere.radius);
+        ++met[static_cast<int>(side(query.point, query.sphere).sign) + 1];
+        check_scaled(query, exponent);
+      }
+    }
+    for (const int count : met) CHECK(count > 10);
+  });
+}
+
+TEST_CASE("Powers of two on every number apart, against the oracle") {
+  in_both_formats([]<Real T>() {
+    constexpr std::uint64_t seed = 17;
+    CAPTURE(seed);
+    fuzz::Random random(seed, "stretched points", sizeof(T));
+    constexpr int low = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits,
+                  high = std::numeric_limits<T>::max_exponent - 4;
+    const auto ask = [&](auto query) {
+      const int all = random.between(low, high);
+      fuzz::for_each_number(
+          query, [&](T& x) { x = std::ldexp(T(random.between(-3, 3)), random.one_in(3) ? random.between(low, high) : all); });
+      if constexpr (requires { query.sphere; }) query.sphere.radius = std::fabs(query.sphere.radius);
+      require_agreement_in_all_environments(fuzz::Case<T>(query));
+    };
+    for (int i = 0; i < 3000; ++i) {
+      ask(fuzz::PointLine<T>{});
+      ask(fuzz::PointPlane<T>{});
+      ask(fuzz::PointSphere<T>{});
+    }
+  });
+}
+
+}  // namespace
+}  // namespace graze::test
