@@ -6,6 +6,7 @@
 #include "graze/implicit.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/answers.hpp"
+#include "tests/support/scaled.hpp"
 
 namespace graze::test {
 namespace {
@@ -30,15 +31,11 @@ TEST_CASE("The least and the largest numbers have sides like others") {
   });
 }
 
-/// The side of the query with everything times a power of two, f and its sign along with it.
+/// All lengths times a power of two: f is times its square, and the sign the same.
 template <Real T>
 void check_scaled(const fuzz::PointSphere<T>& query, int exponent) {
-  const auto scale = [&](T x) { return std::ldexp(x, exponent); };
-  const auto& [p, sphere] = query;
-  const auto& c = sphere.center;
-  const Side found =
-      side(Vec3<T>{scale(p.x), scale(p.y), scale(p.z)}, Sphere<T>{{scale(c.x), scale(c.y), scale(c.z)}, scale(sphere.radius)});
-  const Side expected = side(p, sphere);
+  const fuzz::PointSphere<T> large = scaled(query, exponent);
+  const Side found = side(large.point, large.sphere), expected = side(query.point, query.sphere);
   if (found == expected) return;
   CAPTURE(exponent, found, expected);
   INFO(fuzz::format_case(fuzz::Case<T>(query)));
@@ -51,8 +48,7 @@ TEST_CASE("A power of two on all lengths changes no side of a sphere") {
     CAPTURE(seed);
     fuzz::Random random(seed, "scaled points", sizeof(T));
     int met[3] = {};
-    for (int exponent = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;
-         exponent <= std::numeric_limits<T>::max_exponent - 4; ++exponent) {
+    for (int exponent = lowest_exponent<T>; exponent <= highest_exponent<T>; ++exponent) {
       for (int i = 0; i < 8; ++i) {
         fuzz::PointSphere<T> query{};
         fuzz::for_each_number(query, [&](T& x) { x = T(random.between(-4, 4)); });
@@ -70,12 +66,12 @@ TEST_CASE("Powers of two on every number apart, against the oracle") {
     constexpr std::uint64_t seed = 17;
     CAPTURE(seed);
     fuzz::Random random(seed, "stretched points", sizeof(T));
-    constexpr int low = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits,
-                  high = std::numeric_limits<T>::max_exponent - 4;
     const auto ask = [&](auto query) {
-      const int all = random.between(low, high);
-      fuzz::for_each_number(
-          query, [&](T& x) { x = std::ldexp(T(random.between(-3, 3)), random.one_in(3) ? random.between(low, high) : all); });
+      const int all = random.between(lowest_exponent<T>, highest_exponent<T>);
+      fuzz::for_each_number(query, [&](T& x) {
+        x = std::ldexp(T(random.between(-3, 3)),
+                       random.one_in(3) ? random.between(lowest_exponent<T>, highest_exponent<T>) : all);
+      });
       if constexpr (requires { query.sphere; }) query.sphere.radius = std::fabs(query.sphere.radius);
       require_agreement_in_all_environments(fuzz::Case<T>(query));
     };

@@ -15,12 +15,6 @@ using numeric::Dyadic;
 constexpr std::uint64_t seed = 4711;
 constexpr std::uint64_t top_bit = std::uint64_t(1) << 63;
 
-mpz_class integer_of(std::uint64_t x) {
-  mpz_class result;
-  mpz_import(result.get_mpz_t(), 1, -1, sizeof x, 0, 0, &x);
-  return result;
-}
-
 /// A mantissa with its top bit set: a power of two and its neighbours, near all ones, near the square root of a power of two,
 /// few bits, random.
 std::uint64_t random_mantissa(fuzz::Random& random) {

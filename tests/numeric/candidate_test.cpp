@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "oracle/gmp_rounding.hpp"
 #include "tests/catch.hpp"
+#include "tests/numeric/nearest.hpp"
 #include "tests/support/bit_patterns.hpp"
 #include "tests/support/formats.hpp"
 #include "tests/support/hex.hpp"
@@ -33,13 +33,6 @@ Verdict<T> judge(const Candidate& c) {
   Verdict<T> verdict{};
   verdict.is_certain = rounding::rounds_certainly(c.hi, c.lo, c.error, verdict.number);
   return verdict;
-}
-
-template <Real T>
-T nearest(const mpq_class& x) {
-  oracle::gmp::Truncated cut;
-  oracle::gmp::truncate_quotient(cut, x.get_num(), x.get_den(), 0, oracle::gmp::kRoundingDigits<T>);
-  return oracle::gmp::nearest<T>(cut);
 }
 
 /// The rounding stage's bounds are never below this share of the value, and each has room for what rounding lo + error costs.
@@ -82,7 +75,9 @@ void check(int count) {
       if (!verdict.is_certain) continue;
       const mpq_class middle = mpq_class(c.hi) + mpq_class(c.lo);
       const mpq_class error = mpq_class(c.error) - mpq_class(std::fabs(c.hi) * room);
-      const bool is_right = nearest<T>(middle - error) == verdict.number && nearest<T>(middle + error) == verdict.number;
+      const mpq_class low = middle - error, high = middle + error;
+      const bool is_right = nearest<T>(low.get_num(), low.get_den()) == verdict.number &&
+                            nearest<T>(high.get_num(), high.get_den()) == verdict.number;
       if (is_right) continue;
       CAPTURE(flushes, hex(c.hi), hex(c.lo), hex(c.error), hex(verdict.number));
       REQUIRE(is_right);

@@ -1,11 +1,10 @@
 // A number and the integer times a power of two that it is read as.
 #include "numeric/dyadic.hpp"
 
-#include <gmpxx.h>
-
 #include <cmath>
 
 #include "tests/catch.hpp"
+#include "tests/numeric/integer_reference.hpp"
 #include "tests/support/bit_patterns.hpp"
 
 namespace graze::test {
@@ -25,8 +24,7 @@ mpz_class in_least_units(double x) {
 bool stands_for(const Dyadic& d, double x) {
   if (x == 0) return d.is_zero() && d.sign() == 0 && d.negative == std::signbit(x);
   if ((d.mantissa & 1) == 0 || d.negative != (x < 0) || d.sign() != (x < 0 ? -1 : 1) || d.exponent < -1074) return false;
-  mpz_class value = 0;
-  mpz_import(value.get_mpz_t(), 1, -1, sizeof d.mantissa, 0, 0, &d.mantissa);
+  mpz_class value = integer_of(d.mantissa);
   const int leading = d.exponent + static_cast<int>(mpz_sizeinbase(value.get_mpz_t(), 2));
   value <<= static_cast<mp_bitcnt_t>(d.exponent + 1074);
   if (d.negative) value = -value;

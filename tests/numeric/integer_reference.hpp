@@ -19,6 +19,12 @@ template <int N>
   return value;
 }
 
+static_assert(sizeof(unsigned long) == sizeof(std::uint64_t), "GMP takes a limb as an unsigned long");
+
+[[nodiscard]] inline mpz_class integer_of(std::uint64_t x) {
+  return static_cast<unsigned long>(x);
+}
+
 /// The integer congruent to the value modulo 2^(64 N).
 template <int N>
 [[nodiscard]] Integer<N> wrapped(const mpz_class& value) {

@@ -45,9 +45,7 @@ TEST_CASE("A number is an integer in units of a power of two that divides it") {
       const int shift = random.one_in(3) ? 64 * random.between(0, N - 1) : random.between(0, 64 * N - 1);
       if (shift + width > 64 * N - 1) continue;
       const Dyadic x{mantissa, unit + shift, random.one_in(2)};
-      mpz_class expected;
-      mpz_import(expected.get_mpz_t(), 1, -1, sizeof mantissa, 0, 0, &mantissa);
-      expected <<= static_cast<mp_bitcnt_t>(shift);
+      mpz_class expected = integer_of(mantissa) << static_cast<mp_bitcnt_t>(shift);
       if (x.negative) expected = -expected;
       if (value_of(numeric::integer<N>(x, unit)) == expected) continue;
       CAPTURE(mantissa, shift, x.negative);

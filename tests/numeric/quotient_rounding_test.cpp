@@ -4,9 +4,9 @@
 #include "exact/interval.hpp"
 #include "exact/quotient.hpp"
 #include "exact/range.hpp"
-#include "oracle/gmp_rounding.hpp"
 #include "tests/catch.hpp"
 #include "tests/numeric/integer_reference.hpp"
+#include "tests/numeric/nearest.hpp"
 #include "tests/support/bit_patterns.hpp"
 #include "tests/support/formats.hpp"
 #include "tests/support/in_mode.hpp"
@@ -24,14 +24,6 @@ struct Fraction {
   mpz_class numerator, denominator;
   int scale;
 };
-
-template <Real T>
-T nearest(const Fraction& x) {
-  oracle::gmp::Truncated cut;
-  const int sign = sgn(x.denominator);
-  oracle::gmp::truncate_quotient(cut, sign * x.numerator, sign * x.denominator, x.scale, oracle::gmp::kRoundingDigits<T>);
-  return oracle::gmp::nearest<T>(cut);
-}
 
 template <int N, Real T>
 std::uint64_t rounded(const Quotient<N>& value) {
@@ -52,7 +44,7 @@ int order_against(const Fraction& f, double x) {
 template <int N, Real T>
 void check(const Fraction& f, fuzz::Random& random) {
   const Quotient<N> value(wrapped<N>(f.numerator), wrapped<N>(f.denominator), f.scale);
-  const T expected = nearest<T>(f);
+  const T expected = nearest<T>(f.numerator, f.denominator, f.scale);
   const Environment& environment = environments[random.below(environments.size())];
   bool is_right = in_mode(environment, rounded<N, T>, value) == numeric::bits_of(expected);
   // Comparisons with the number nearest to it, its neighbours and any number.
@@ -121,7 +113,7 @@ void check_ties(int count) {
     std::uint64_t middle = (random.bits() >> (63 - width)) | std::uint64_t(1) << width | 1;
     if (random.one_in(8)) middle = (std::uint64_t(2) << width) - 1;  // the next number up is a power of two, or infinity
     mpz_class d = random_below<N>(random, 64 * N - 2 - digits - 1) + 1;
-    mpz_class n = mpz_class(static_cast<unsigned long>(middle)) * d;
+    mpz_class n = integer_of(middle) * d;
     const int side = random.between(-1, 1);
     n += side;
     if (random.one_in(2)) n = -n;

@@ -30,7 +30,7 @@ int order_against(const Coefficients& k, int root_sign, const Dyadic& x) {
   const int exponent = x.exponent - k.scale;
   const auto up = static_cast<mp_bitcnt_t>(exponent > 0 ? exponent : 0),
              down = static_cast<mp_bitcnt_t>(exponent < 0 ? -exponent : 0);
-  mpz_class m = static_cast<unsigned long>(x.mantissa);
+  mpz_class m = integer_of(x.mantissa);
   if (x.negative) m = -m;
   return oracle::gmp::sign_of_root((k.b << down) - ((m * k.a) << up), root_sign, k.discriminant() << (2 * down));
 }
@@ -111,7 +111,7 @@ Coefficients tie(fuzz::Random& random) {
   constexpr int digits = std::numeric_limits<T>::digits;
   const int width = random.between(1, digits);
   const std::uint64_t middle = (random.bits() >> (63 - width)) | std::uint64_t(1) << width | 1;
-  const mpz_class p = static_cast<unsigned long>(middle);
+  const mpz_class p = integer_of(middle);
   mpz_class other = magnitude<K>(random, random.between(1, 128 * K - 80)) * random.sign();
   if (random.one_in(4)) other = p + random.between(-3, 3);
   // A even, so that B is an integer.

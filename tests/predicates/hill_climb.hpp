@@ -59,7 +59,7 @@ double climb(std::string_view name, int steps, Share share_of) {
     fuzz::Random random(climb_seed, name, static_cast<std::uint64_t>(start));
     Query query{};
     fuzz::for_each_number(query, [&](double& x) { x = random_of_size<double>(random, 0); });
-    if constexpr (requires { query.ray; }) query.ray.t_min = 0;
+    if constexpr (requires { query.ray; }) query.ray = {query.ray.origin, query.ray.direction};
     if constexpr (requires { query.sphere; }) query.sphere.radius = std::fabs(query.sphere.radius);
     double share = share_of(query);
     for (int step = 0; step < steps / starts; ++step) {

@@ -4,6 +4,7 @@
 #include "fuzz/random.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/ask.hpp"
+#include "tests/support/scaled.hpp"
 
 namespace graze::test {
 namespace {
@@ -74,23 +75,12 @@ fuzz::RaySphere<T> random_lattice_query(fuzz::Random& random) {
   return query;
 }
 
-template <Real T>
-Vec3<T> scaled(const Vec3<T>& v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
-template <Real T>
-fuzz::RaySphere<T> scaled(const fuzz::RaySphere<T>& q, int positions, int directions) {
-  return {{scaled(q.ray.origin, positions), scaled(q.ray.direction, directions), q.ray.t_min, q.ray.t_max},
-          {scaled(q.sphere.center, positions), std::ldexp(q.sphere.radius, positions)}};
-}
-
 TEST_CASE("A power of two on all lengths changes no bit") {
   in_both_formats([]<Real T>() {
     constexpr std::uint64_t seed = 12;
     CAPTURE(seed);
     fuzz::Random random(seed, "scaled spheres", sizeof(T));
-    constexpr int low = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;
-    for (int exponent = low; exponent <= std::numeric_limits<T>::max_exponent - 4; ++exponent) {
+    for (int exponent = lowest_exponent<T>; exponent <= highest_exponent<T>; ++exponent) {
       for (int i = 0; i < 8; ++i) {
         const fuzz::RaySphere<T> base = random_lattice_query<T>(random), query = scaled(base, exponent, exponent);
         const SphereHit<T> expected = intersect(base.ray, base.sphere), found = intersect(query.ray, query.sphere);
@@ -108,10 +98,9 @@ TEST_CASE("Powers of two on positions and directions apart, against the oracle")
     constexpr std::uint64_t seed = 13;
     CAPTURE(seed);
     fuzz::Random random(seed, "stretched spheres", sizeof(T));
-    constexpr int low = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits,
-                  high = std::numeric_limits<T>::max_exponent - 4;
     for (int i = 0; i < 6000; ++i) {
-      const int positions = random.between(low, high), directions = random.between(low, high);
+      const int positions = random.between(lowest_exponent<T>, highest_exponent<T>);
+      const int directions = random.between(lowest_exponent<T>, highest_exponent<T>);
       require_agreement(fuzz::Case<T>(scaled(random_lattice_query<T>(random), positions, directions)));
     }
   });

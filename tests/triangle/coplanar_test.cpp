@@ -1,11 +1,11 @@
 // A ray in the triangle's plane, or parallel to it, by hand; with the axes turned, so that each is once the one to project
 // along.
-#include <array>
 #include <cmath>
 
 #include "tests/support/ask.hpp"
 #include "tests/support/formats.hpp"
 #include "tests/support/isometry.hpp"
+#include "tests/triangle/corners.hpp"
 
 namespace graze::test {
 namespace {
@@ -15,9 +15,7 @@ using enum TriangleKind;
 /// All corners' orders and all turned and reflected axes: the common part is the same.
 template <Real T>
 void check_turned(const Ray<T>& ray, const TriangleHit<T>& expected) {
-  const Vec3<T> a{0, 0, 0}, b{4, 0, 0}, c{0, 4, 0};
-  for (const Triangle<T>& triangle : std::array{Triangle<T>{a, b, c}, Triangle<T>{b, c, a}, Triangle<T>{c, a, b},
-                                                Triangle<T>{a, c, b}, Triangle<T>{c, b, a}, Triangle<T>{b, a, c}}) {
+  for (const Triangle<T>& triangle : all_orders(right<T>)) {
     each_isometry([&](const Isometry& isometry) {
       const fuzz::RayTriangle<T> turned = isometry(fuzz::RayTriangle<T>{ray, triangle});
       check_answer(turned.ray, turned.triangle, expected);
@@ -75,7 +73,7 @@ TEST_CASE("A parallel ray off the plane misses, by however little") {
 
 TEST_CASE("A ray that leaves the plane by the least there is has one common point") {
   in_both_formats([]<Real T>() {
-    const Triangle<T> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    const Triangle<T>& triangle = right<T>;
     check_answer(Ray<T>{{1, 1, 0}, {1, 0, kLeast<T>}}, triangle, at_point<T>(face, Facing::back, 0, T(0.25), T(0.25)));
     check_answer(Ray<T>{{-1, 1, kLeast<T>}, {1, 0, -kLeast<T>}}, triangle, at_point<T>(edge_ca, Facing::front, 1, 0, T(0.25)));
     check_answer(Ray<T>{{-1, 1, 2 * kLeast<T>}, {1, 0, -kLeast<T>}}, triangle,

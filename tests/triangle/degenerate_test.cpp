@@ -1,9 +1,9 @@
 // Triangles without area, by hand: segments and points, in every order of their corners.
-#include <array>
 #include <cmath>
 
 #include "tests/support/ask.hpp"
 #include "tests/support/formats.hpp"
+#include "tests/triangle/corners.hpp"
 
 namespace graze::test {
 namespace {
@@ -13,8 +13,7 @@ using enum TriangleKind;
 /// All six orders of the corners.
 template <Real T>
 void check_all_orders(const Ray<T>& ray, const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const TriangleHit<T>& expected) {
-  for (const Triangle<T>& triangle : std::array{Triangle<T>{a, b, c}, Triangle<T>{b, c, a}, Triangle<T>{c, a, b},
-                                                Triangle<T>{a, c, b}, Triangle<T>{c, b, a}, Triangle<T>{b, a, c}}) {
+  for (const Triangle<T>& triangle : all_orders(Triangle<T>{a, b, c})) {
     check_answer(ray, triangle, expected);
   }
 }

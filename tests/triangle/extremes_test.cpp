@@ -4,6 +4,7 @@
 #include "fuzz/random.hpp"
 #include "tests/support/agreement.hpp"
 #include "tests/support/ask.hpp"
+#include "tests/support/scaled.hpp"
 
 namespace graze::test {
 namespace {
@@ -78,21 +79,6 @@ fuzz::RayTriangle<T> random_lattice_query(fuzz::Random& random) {
   query.ray.t_min = T(random.between(-3, 1));
   return query;
 }
-
-template <Real T>
-Vec3<T> scaled(const Vec3<T>& v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
-template <Real T>
-fuzz::RayTriangle<T> scaled(const fuzz::RayTriangle<T>& q, int positions, int directions) {
-  return {{scaled(q.ray.origin, positions), scaled(q.ray.direction, directions), q.ray.t_min, q.ray.t_max},
-          {scaled(q.triangle.a, positions), scaled(q.triangle.b, positions), scaled(q.triangle.c, positions)}};
-}
-
-template <Real T>
-constexpr int lowest_exponent = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;
-template <Real T>
-constexpr int highest_exponent = std::numeric_limits<T>::max_exponent - 5;
 
 TEST_CASE("A power of two on all lengths changes no bit") {
   in_both_formats([]<Real T>() {

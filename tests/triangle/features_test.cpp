@@ -3,16 +3,13 @@
 
 #include "tests/support/ask.hpp"
 #include "tests/support/formats.hpp"
+#include "tests/triangle/corners.hpp"
 
 namespace graze::test {
 namespace {
 
 using enum TriangleKind;
 using enum Facing;
-
-/// The triangle on which u and v are x and y, times four.
-template <Real T>
-constexpr Triangle<T> right{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
 /// Straight down on it from a height of 2.
 template <Real T>

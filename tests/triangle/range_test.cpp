@@ -3,15 +3,13 @@
 
 #include "tests/support/ask.hpp"
 #include "tests/support/formats.hpp"
+#include "tests/triangle/corners.hpp"
 
 namespace graze::test {
 namespace {
 
 using enum TriangleKind;
 using enum Facing;
-
-template <Real T>
-constexpr Triangle<T> right{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
 /// Down from height 5, through the face, an edge and a corner.
 template <Real T>
