@@ -4,6 +4,7 @@
 #include "graze/implicit.hpp"
 #include "tests/support/isometry.hpp"
 #include "tests/support/threads.hpp"
+#include "tests/support/tiers.hpp"
 
 namespace graze::test {
 namespace {
@@ -36,6 +37,12 @@ TEST_CASE("Point and sphere: no permutation or reflection of axes changes the si
       });
     });
   });
+}
+
+TEST_CASE("Points and surfaces: numbers that fill the widths of the exact stage") {
+  require_agreement_at_tier_ends<fuzz::PointLine>(1000);
+  require_agreement_at_tier_ends<fuzz::PointPlane>(1000);
+  require_agreement_at_tier_ends<fuzz::PointSphere>(1000);
 }
 
 TEST_CASE("Points and surfaces: two threads answer as one") {

@@ -1,8 +1,7 @@
 // Runs a kernel, mutated or not, over all families in both precisions and all floating-point modes, until it is caught.
 //   mutant_NAME [--sound] [--fma] [CASES]
-// CASES a family and precision, 10000 unless said otherwise; --fma: the kernel was compiled with FMA. Exit status: 0 the mutant
-// was caught
-// (--sound: nothing was), 1 not so, 2 usage error, 77 this processor cannot run it.
+// CASES a family and precision, 10000 unless said otherwise; --fma: the kernel was compiled with FMA.
+// Exit status: 0 the mutant was caught (--sound: nothing was), 1 not so, 2 usage error, 77 this processor cannot run it.
 #include <charconv>
 #include <chrono>
 #include <cstdint>

@@ -74,4 +74,30 @@ void require_agreement_on_families_in_all_environments(std::uint64_t cases_a_fam
   });
 }
 
+/// The same with the rounding mode set for SSE alone, where there is SSE.
+template <template <class> class Query>
+void require_agreement_with_sse_rounding(std::uint64_t cases_a_family) {
+#if defined(__SSE2__)
+  in_both_formats([&]<Real T>() {
+    each_family_query<Query, T>(cases_a_family, [](const Query<T>& query) {
+      const fuzz::Case<T> input(query);
+      const fuzz::Answer<T> truth = fuzz::answer_of(oracle::gmp_oracle(), input);
+      for (const unsigned mode : {_MM_ROUND_UP, _MM_ROUND_DOWN, _MM_ROUND_TOWARD_ZERO}) {
+        fuzz::KernelAnswer<T> kernel;
+        {
+          const SseRoundingScope scope(mode);
+          kernel = fuzz::kernel_answer(input);
+        }
+        const bool is_right = fuzz::same_bits(kernel.answer, truth) && kernel.hits == fuzz::is_hit(truth);
+        if (is_right) continue;
+        INFO(sizeof(T) * 8 << " bits, rounding by SSE " << mode << ": " << fuzz::format_case(input));
+        REQUIRE(is_right);
+      }
+    });
+  });
+#else
+  static_cast<void>(cases_a_family);
+#endif
+}
+
 }  // namespace graze::test

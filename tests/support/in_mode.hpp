@@ -46,6 +46,20 @@ class EnvironmentScope {
   std::optional<FloatModeScope> flush_;
 };
 
+#if defined(__SSE2__)
+/// Sets the rounding mode of SSE alone, as _MM_SET_ROUNDING_MODE does, while it lives.
+class SseRoundingScope {
+ public:
+  explicit SseRoundingScope(unsigned mode) { _MM_SET_ROUNDING_MODE(mode); }
+  ~SseRoundingScope() { _MM_SET_ROUNDING_MODE(before_); }
+  SseRoundingScope(const SseRoundingScope&) = delete;
+  SseRoundingScope& operator=(const SseRoundingScope&) = delete;
+
+ private:
+  unsigned before_ = _MM_GET_ROUNDING_MODE();
+};
+#endif
+
 /// The rounding mode and, where the machine has them, the bits of flushing and of the traps; not the sticky flags.
 struct FloatControl {
   int rounding;

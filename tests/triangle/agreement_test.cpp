@@ -6,6 +6,7 @@
 #include "graze/triangle.hpp"
 #include "tests/support/around.hpp"
 #include "tests/support/threads.hpp"
+#include "tests/support/tiers.hpp"
 
 namespace graze::test {
 namespace {
@@ -21,6 +22,14 @@ TEST_CASE("Ray and triangle: the oracle's bits on all families") {
 
 TEST_CASE("Ray and triangle: the same bits in every environment, which is left as it was") {
   require_agreement_on_families_in_all_environments<fuzz::RayTriangle>(2000, 15000);
+}
+
+TEST_CASE("Ray and triangle: the same bits with the rounding mode set for SSE alone") {
+  require_agreement_with_sse_rounding<fuzz::RayTriangle>(300);
+}
+
+TEST_CASE("Ray and triangle: numbers that fill the widths of the exact stage") {
+  require_agreement_at_tier_ends<fuzz::RayTriangle>(3000);
 }
 
 TEST_CASE("Ray and triangle: ranges that end at the answer, or one ulp off it") {

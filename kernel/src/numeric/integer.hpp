@@ -35,7 +35,11 @@ __extension__ using SignedWide = __int128;
                                             std::uint64_t& difference) noexcept {
 #if defined(__x86_64__)
   unsigned long long out;  // NOLINT(google-runtime-int): the builtin's type
+#if defined(__clang__)
+  const unsigned char next = __builtin_ia32_subborrow_u64(borrow, a, b, &out);
+#else
   const unsigned char next = __builtin_ia32_sbb_u64(borrow, a, b, &out);
+#endif
   difference = out;
   return next;
 #else
