@@ -109,6 +109,7 @@ int run(const Options& options) {
   const fuzz::Judges judges{*kernel, oracle::gmp_oracle(), oracle::cgal_oracle(), options.second_oracle_every};
   CertifyReport report{std::string(kernel->name()),
                        std::string(kernel->about()),
+                       kernel->deviations(),
                        options.seed,
                        options.cases,
                        options.second_oracle_every,

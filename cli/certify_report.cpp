@@ -50,6 +50,7 @@ void print_verdict(const CertifyReport& report, std::ostream& out) {
       << " wrong kinds, " << grouped(total.misrounded) << " with a number not correctly rounded, worst error "
       << worst_error(total) << " ulp";
   if (std::any_of(report.rows.begin(), report.rows.end(), is_mesh)) out << ", " << grouped(report.lost_rays()) << " lost rays";
+  if (const auto n = total.count(Disagreement::failed); n != 0) out << ", " << grouped(n) << " cases without an answer";
   out << formatted(" (seed %llu, %.1f s)", static_cast<unsigned long long>(report.seed), report.seconds);
   if (report.is_interrupted) out << "; interrupted, the rest is not known";
   out << '\n';
@@ -87,6 +88,22 @@ void print_meshes(const CertifyReport& report, std::ostream& out) {
                      static_cast<unsigned long long>(row.rays), static_cast<unsigned long long>(row.lost_rays),
                      static_cast<unsigned long long>(t.cases), static_cast<unsigned long long>(t.wrong_kinds()),
                      static_cast<unsigned long long>(t.misrounded), worst_error(t).c_str());
+  }
+}
+
+/// What the subject declares, with how often it was allowed for.
+void print_deviations(const CertifyReport& report, std::ostream& out) {
+  const fuzz::Deviations& declared = report.deviations;
+  if (fuzz::declared_deviations(declared).empty()) return;
+  const Tally total = report.total();
+  out << "\nDeclared by the kernel, allowed for, and not counted as wrong:\n";
+  for (const fuzz::Deviation d : fuzz::declared_deviations(declared)) {
+    out << formatted("  %-22s %12llu  ", std::string(name_of(d)).c_str(), static_cast<unsigned long long>(total.count(d)))
+        << fuzz::deviation_texts[static_cast<std::size_t>(d)].means;
+    if (d == fuzz::Deviation::inexact_numbers) {
+      out << formatted("; t within %g ulps, u and v within %g", declared.t_ulps, declared.uv_ulps);
+    }
+    out << '\n';
   }
 }
 
@@ -148,6 +165,7 @@ void print(const CertifyReport& report, std::ostream& out) {
   print_verdict(report, out);
   print_families(report, out);
   print_meshes(report, out);
+  print_deviations(report, out);
   print_offenders(report, out);
 }
 
@@ -179,6 +197,10 @@ nlohmann::json to_json(const CertifyReport& report) {
     rows.push_back(std::move(entry));
   }
   const Tally total = report.total();
+  nlohmann::json deviations = nlohmann::json::object();
+  for (const fuzz::Deviation d : fuzz::declared_deviations(report.deviations)) {
+    deviations[std::string(name_of(d))] = total.count(d);
+  }
   return {{"tool", "graze certify"},
           {"version", GRAZE_VERSION},
           {"kernel", report.kernel},
@@ -194,6 +216,10 @@ nlohmann::json to_json(const CertifyReport& report) {
           {"misrounded", total.misrounded},
           {"worst_error_ulps", total.worst_ulps},
           {"lost_rays", report.lost_rays()},
+          {"without_answer", total.count(Disagreement::failed)},
+          {"deviations", deviations},
+          {"t_ulps", report.deviations.t_ulps},
+          {"uv_ulps", report.deviations.uv_ulps},
           {"rows", rows}};
 }
 

@@ -13,6 +13,7 @@ namespace graze::cli {
 
 struct CertifyReport {
   std::string kernel, about;
+  fuzz::Deviations deviations;  ///< that the kernel declares
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;  ///< per family and precision, as asked
   std::uint64_t second_oracle_every = 0;

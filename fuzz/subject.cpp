@@ -13,6 +13,22 @@ std::span<const Subject* const> subjects() {
   return all;
 }
 
+namespace {
+
+template <Real T>
+void answer_each(const Subject& subject, std::span<const Case<T>> inputs, std::span<Reply<T>> replies) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) replies[i] = subject.answer(inputs[i]);
+}
+
+}  // namespace
+
+void Subject::answer(std::span<const Case<float>> inputs, std::span<Reply<float>> replies) const {
+  answer_each(*this, inputs, replies);
+}
+void Subject::answer(std::span<const Case<double>> inputs, std::span<Reply<double>> replies) const {
+  answer_each(*this, inputs, replies);
+}
+
 const Subject* find_subject(std::string_view name) {
   for (const Subject* subject : subjects()) {
     if (subject->name() == name) return subject;

@@ -3,22 +3,52 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "fuzz/case.hpp"
+#include "fuzz/deviations.hpp"
 
 namespace graze::fuzz {
 
-/// Answers cases as the kernel under test does; nullopt for a query that it does not offer. Stateless, safe to share between
-/// threads.
+/// What comes back for a case: an answer; nothing, where the query is not offered; or how the subject failed.
+template <Real T>
+class Reply {
+ public:
+  Reply() = default;
+  Reply(std::nullopt_t) {}
+  Reply(Answer<T> answer) : answer_(std::move(answer)) {}
+  static Reply failed(std::string how) {
+    Reply reply;
+    reply.failure_ = std::move(how);
+    return reply;
+  }
+
+  explicit operator bool() const { return answer_.has_value(); }
+  [[nodiscard]] const Answer<T>& operator*() const { return *answer_; }
+  /// Empty unless the subject crashed, hung, or answered what is none: a clause.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+
+ private:
+  std::optional<Answer<T>> answer_;
+  std::string failure_;
+};
+
+/// Answers cases as the kernel under test does. Safe to share between threads.
 class Subject {
  public:
   virtual ~Subject() = default;
   [[nodiscard]] virtual std::string_view name() const = 0;
   /// One line: the formula and its source.
   [[nodiscard]] virtual std::string_view about() const = 0;
-  [[nodiscard]] virtual std::optional<Answer<float>> answer(const Case<float>&) const = 0;
-  [[nodiscard]] virtual std::optional<Answer<double>> answer(const Case<double>&) const = 0;
+  /// What it does otherwise than the contract, by its own word.
+  [[nodiscard]] virtual const Deviations& deviations() const = 0;
+  [[nodiscard]] virtual Reply<float> answer(const Case<float>&) const = 0;
+  [[nodiscard]] virtual Reply<double> answer(const Case<double>&) const = 0;
+  /// replies[i] for inputs[i], as if asked one by one; the spans are of one size.
+  virtual void answer(std::span<const Case<float>> inputs, std::span<Reply<float>> replies) const;
+  virtual void answer(std::span<const Case<double>> inputs, std::span<Reply<double>> replies) const;
 };
 
 /// All built-in subjects, graze first.

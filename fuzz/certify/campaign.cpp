@@ -8,7 +8,7 @@
 namespace graze::fuzz {
 namespace {
 
-constexpr std::uint64_t cases_a_job = 2048;
+constexpr std::uint64_t cases_a_job = 2048, cases_asked_at_once = 256;
 
 struct Job {
   std::size_t row;
@@ -18,9 +18,17 @@ struct Job {
 template <Real T>
 void judge_family(const Family& family, std::uint64_t seed, std::uint64_t from, std::uint64_t to, const Judges& judges,
                   Progress& progress, Tally& tally) {
-  for (std::uint64_t index = from; index < to && !progress.is_stopped(); ++index) {
-    check(judges, make<T>(family, seed, index).input, index, tally);
-    ++progress.cases_done;
+  std::vector<Case<T>> inputs;
+  std::vector<Reply<T>> replies;
+  for (std::uint64_t index = from; index < to && !progress.is_stopped(); index += inputs.size()) {
+    inputs.clear();
+    for (std::uint64_t i = index; i < std::min(index + cases_asked_at_once, to); ++i) {
+      inputs.push_back(make<T>(family, seed, i).input);
+    }
+    replies.assign(inputs.size(), {});
+    judges.subject.answer(std::span<const Case<T>>(inputs), std::span(replies));
+    for (std::size_t i = 0; i < inputs.size(); ++i) check(judges, inputs[i], replies[i], index + i, tally);
+    progress.cases_done += inputs.size();
   }
 }
 

@@ -19,31 +19,28 @@ struct Judges {
 template <Real T>
 inline constexpr const char* precision_name = sizeof(T) == sizeof(float) ? "float" : "double";
 
-/// Judges the case into the tally; returns the truth.
+/// Judges what the subject replied to the case into the tally; returns the truth.
 template <Real T>
-Answer<T> check(const Judges& judges, const Case<T>& input, std::uint64_t index, Tally& tally) {
+Answer<T> check(const Judges& judges, const Case<T>& input, const Reply<T>& reply, std::uint64_t index, Tally& tally) {
   const Answer<T> truth = answer_of(judges.first, input);
-  const auto describe = [&](const Answer<T>& answer, const Answer<T>& right) {
-    return [&] {
-      return Offender{{},
-                      0,
-                      precision_name<T>,
-                      format_case(input, NumberForm::hexadecimal),
-                      format_answer(input, answer, Details::yes),
-                      format_answer(input, right, Details::yes)};
-    };
+  const auto describe = [&](const std::string& answer) {
+    return Offender{{}, 0, precision_name<T>, format_case(input), answer, format_answer(input, truth, Details::yes)};
   };
   if (judges.second_oracle_every != 0 && index % judges.second_oracle_every == 0) {
     ++tally.oracles_compared;
     const Answer<T> second = answer_of(judges.second, input);
-    if (!same_bits(truth, second)) tally.keep_oracle_difference(describe(second, truth)(), index);
+    if (!same_bits(truth, second)) tally.keep_oracle_difference(describe(format_answer(input, second, Details::yes)), index);
   }
-  const auto answer = judges.subject.answer(input);
-  if (!answer) {
+  if (reply) {
+    const Comparison comparison = compare(input, *reply, truth, judges.first, judges.subject.deviations());
+    tally.add(comparison, index, [&] { return describe(format_answer(input, *reply, Details::yes)); });
+  } else if (!reply.failure().empty()) {
+    Comparison failed;
+    failed.disagreement = Disagreement::failed;
+    tally.add(failed, index, [&] { return describe(reply.failure()); });
+  } else {
     ++tally.skipped;
-    return truth;
   }
-  tally.add(compare(input, *answer, truth, judges.first), index, describe(*answer, truth));
   return truth;
 }
 

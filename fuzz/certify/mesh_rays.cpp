@@ -148,13 +148,20 @@ std::span<const std::uint32_t> MeshRays<T>::fan(Target target, std::size_t index
 template <Real T>
 void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Judges& judges, Row& row) {
   const Ray<T> ray = rays.ray(target, index);
+  const auto replies_of = [&](const std::vector<Case<T>>& inputs) {
+    std::vector<Reply<T>> replies(inputs.size());
+    judges.subject.answer(std::span<const Case<T>>(inputs), std::span(replies));
+    return replies;
+  };
+  const auto hits = [](const Reply<T>& reply) { return reply && is_hit(*reply); };
+  std::vector<Case<T>> inputs;
+  for (const std::uint32_t f : rays.fan(target, index)) inputs.push_back(RayTriangle<T>{ray, rays.triangle(f)});
+  std::vector<Reply<T>> replies = replies_of(inputs);
   bool truth_hits = false, subject_hits = false;
-  for (const std::uint32_t f : rays.fan(target, index)) {
-    const Case<T> input = RayTriangle<T>{ray, rays.triangle(f)};
-    const auto answer = judges.subject.answer(input);
-    if (!answer) return;
-    truth_hits |= is_hit(check(judges, input, index, row.tally));
-    subject_hits |= is_hit(*answer);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!replies[i] && replies[i].failure().empty()) return;
+    truth_hits |= is_hit(check(judges, inputs[i], replies[i], index, row.tally));
+    subject_hits |= hits(replies[i]);
   }
   ++row.rays;
   if (subject_hits) return;
@@ -162,11 +169,10 @@ void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, c
     ++row.lost_rays;
     return;
   }
-  for (std::size_t f = 0; f < rays.size(); ++f) {
-    const auto answer = judges.subject.answer(Case<T>(RayTriangle<T>{ray, rays.triangle(f)}));
-    if (answer && is_hit(*answer)) return;
-  }
-  ++row.lost_rays;
+  inputs.clear();
+  for (std::size_t f = 0; f < rays.size(); ++f) inputs.push_back(RayTriangle<T>{ray, rays.triangle(f)});
+  replies = replies_of(inputs);
+  if (std::none_of(replies.begin(), replies.end(), hits)) ++row.lost_rays;
 }
 
 template class MeshRays<float>;

@@ -6,22 +6,31 @@
 namespace graze::fuzz {
 
 /// Formula has `name` and `about` and, for each query type Q<T> that it offers, a static `answer(const Q<T>&)` that returns
-/// SphereHit<T>, TriangleHit<T> or Side. What it has no overload for is answered by nullopt.
+/// SphereHit<T>, TriangleHit<T> or Side. What it has no overload for is not offered. It may have `deviations`.
 template <class Formula>
 class FormulaSubject final : public Subject {
  public:
   [[nodiscard]] std::string_view name() const override { return Formula::name; }
   [[nodiscard]] std::string_view about() const override { return Formula::about; }
-  [[nodiscard]] std::optional<Answer<float>> answer(const Case<float>& input) const override { return visit_case(input); }
-  [[nodiscard]] std::optional<Answer<double>> answer(const Case<double>& input) const override { return visit_case(input); }
+  [[nodiscard]] const Deviations& deviations() const override {
+    if constexpr (requires { Formula::deviations; }) {
+      return Formula::deviations;
+    } else {
+      static constexpr Deviations none;
+      return none;
+    }
+  }
+  using Subject::answer;
+  [[nodiscard]] Reply<float> answer(const Case<float>& input) const override { return visit_case(input); }
+  [[nodiscard]] Reply<double> answer(const Case<double>& input) const override { return visit_case(input); }
 
  private:
   template <Real T>
-  static std::optional<Answer<T>> visit_case(const Case<T>& input) {
+  static Reply<T> visit_case(const Case<T>& input) {
     return std::visit(
-        [](const auto& query) -> std::optional<Answer<T>> {
+        [](const auto& query) -> Reply<T> {
           if constexpr (requires { Formula::answer(query); }) {
-            return Formula::answer(query);
+            return Answer<T>(Formula::answer(query));
           } else {
             return std::nullopt;
           }

@@ -12,6 +12,9 @@ struct MollerTrumbore {
   static constexpr std::string_view about =
       "Moeller, Trumbore, Fast, minimum storage ray/triangle intersection, JGT 2(1) 1997; two-sided, no epsilon";
 
+  static constexpr Deviations deviations{
+      {Deviation::coplanar_is_miss, Deviation::degenerate_is_miss, Deviation::invalid_unhandled}};
+
   template <Real T>
   static TriangleHit<T> answer(const RayTriangle<T>& query) {
     return moller_trumbore::intersect(query.ray, query.triangle);

@@ -17,6 +17,8 @@ struct Naive {
   static constexpr std::string_view about =
       "t = (-B -+ sqrt(B^2 - 4AC)) / 2A and the sign of f(p); Shirley, Marschner, Fundamentals of Computer Graphics, 4.4.1";
 
+  static constexpr Deviations deviations{{Deviation::invalid_unhandled}};
+
   template <Real T>
   static SphereHit<T> answer(const RaySphere<T>& query) {
     return textbook::naive::intersect(query.ray, query.sphere);

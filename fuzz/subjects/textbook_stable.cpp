@@ -11,6 +11,8 @@ struct Stable {
   static constexpr std::string_view about =
       "q = -(B + sgn(B) sqrt(D)) / 2, t = q/A and C/q, sgn(0) = 0; Press et al., Numerical Recipes, 5.6";
 
+  static constexpr Deviations deviations{{Deviation::invalid_unhandled}};
+
   template <Real T>
   static SphereHit<T> answer(const RaySphere<T>& query) {
     return textbook::stable::intersect(query.ray, query.sphere);
