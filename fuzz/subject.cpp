@@ -7,9 +7,23 @@
 namespace graze::fuzz {
 
 std::span<const Subject* const> subjects() {
-  static const std::array<const Subject*, 6> all = {&graze_subject(),           &textbook_naive_subject(),
-                                                    &textbook_stable_subject(), &textbook_repaired_subject(),
-                                                    &cramer_subject(),          &moller_trumbore_subject()};
+  static const std::array all = {
+    &graze_subject(),
+    &textbook_naive_subject(),
+    &textbook_stable_subject(),
+    &textbook_repaired_subject(),
+    &haines_sphere_subject(),
+    &goualard_quadratic_subject(),
+    &pbrt_interval_subject(),
+    &cramer_subject(),
+    &moller_trumbore_subject(),
+    &woop_watertight_subject(),
+    &cgal_epick_subject(),
+#if GRAZE_HAVE_EMBREE
+    &embree_subject(),
+    &embree_robust_subject(),
+#endif
+  };
   return all;
 }
 

@@ -6,7 +6,7 @@
 namespace graze::fuzz {
 
 /// Formula has `name` and `about` and, for each query type Q<T> that it offers, a static `answer(const Q<T>&)` that returns
-/// SphereHit<T>, TriangleHit<T> or Side. What it has no overload for is not offered. It may have `deviations`.
+/// SphereHit<T>, TriangleHit<T> or Side, or a Reply<T>. What it has no overload for is not offered. It may have `deviations`.
 template <class Formula>
 class FormulaSubject final : public Subject {
  public:
@@ -30,7 +30,11 @@ class FormulaSubject final : public Subject {
     return std::visit(
         [](const auto& query) -> Reply<T> {
           if constexpr (requires { Formula::answer(query); }) {
-            return Answer<T>(Formula::answer(query));
+            if constexpr (std::same_as<decltype(Formula::answer(query)), Reply<T>>) {
+              return Formula::answer(query);
+            } else {
+              return Answer<T>(Formula::answer(query));
+            }
           } else {
             return std::nullopt;
           }

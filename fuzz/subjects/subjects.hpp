@@ -24,4 +24,25 @@ namespace graze::fuzz {
 /// Moeller and Trumbore: ray and triangle.
 [[nodiscard]] const Subject& moller_trumbore_subject();
 
+/// Woop, Benthin and Wald's sheared edge functions: ray and triangle.
+[[nodiscard]] const Subject& woop_watertight_subject();
+
+/// Haines et al., the discriminant from the perpendicular remainder: ray and sphere.
+[[nodiscard]] const Subject& haines_sphere_subject();
+
+/// Goualard's solver of the quadratic: ray and sphere.
+[[nodiscard]] const Subject& goualard_quadratic_subject();
+
+/// Intervals as in pbrt, a doubtful hit is a miss: ray and sphere.
+[[nodiscard]] const Subject& pbrt_interval_subject();
+
+/// CGAL's exact predicates with inexact constructions: ray and triangle.
+[[nodiscard]] const Subject& cgal_epick_subject();
+
+/// Embree with its default scene flags: ray and triangle, ray and sphere, in float. Only where Embree was found.
+[[nodiscard]] const Subject& embree_subject();
+
+/// Embree with its robust scene flag: as above.
+[[nodiscard]] const Subject& embree_robust_subject();
+
 }  // namespace graze::fuzz

@@ -38,7 +38,8 @@ options=$(sed -n 's/.*| graze //p' out | head -n 1)
 replayed=$(printf '%s\n' "$line" | "$graze" $options)
 if [ -z "$answer" ] || [ "$answer" != "$replayed" ]; then fail "the replay command repeats '$answer', not '$replayed'"; fi
 
-for kernel in textbook-stable textbook-repaired cramer moller-trumbore; do
+for kernel in textbook-stable textbook-repaired haines-sphere goualard-quadratic pbrt-interval woop-watertight cgal-epick \
+  cramer moller-trumbore; do
   run certify --cases 200 --kernel $kernel </dev/null
   expect_like "$kernel fails" 1 out "FAIL  $kernel: "
 done

@@ -28,6 +28,5 @@ run answer one two </dev/null
 expect_like "two files" 2 err "two"
 
 run answer --kernel nonesuch </dev/null
-expect "unknown kernel" 2 "" \
-  "graze: no kernel is named 'nonesuch'; there are: graze, textbook-naive, textbook-stable, textbook-repaired, cramer, moller-trumbore"
+expect_like "unknown kernel" 2 err "graze: no kernel is named 'nonesuch'; there are: graze, textbook-naive, "
 finish

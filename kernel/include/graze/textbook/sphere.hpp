@@ -60,23 +60,23 @@ template <Real T>
   return ascending(shared / q.a, q.c / shared);
 }
 
-/// The answer by the computed numbers, `roots` being the form of the solution.
-template <Real T, class RootsOf>
-[[nodiscard]] SphereHit<T> intersect_by(const Ray<T>& ray, const Sphere<T>& sphere, RootsOf roots) noexcept {
-  const Quadratic<T> q = quadratic(ray, sphere);
+/// The tangent at t; a miss where t lies outside the range.
+template <Real T>
+[[nodiscard]] constexpr SphereHit<T> hit_of_double_root(const Ray<T>& ray, OriginSide origin, T t) noexcept {
   SphereHit<T> hit;
-  hit.origin = q.c < 0 ? OriginSide::inside : q.c > 0 ? OriginSide::outside : OriginSide::on;
-  const T d = discriminant(q);
-  if (d < 0) return hit;
-  if (d == 0) {
-    const T t = -q.b / (2 * q.a);
-    if (!in_range(ray, t)) return hit;
-    hit.kind = SphereKind::tangent;
-    hit.root = Root::both;
-    hit.t[0] = t;
-    return hit;
-  }
-  const Roots<T> t = roots(q);
+  hit.origin = origin;
+  if (!in_range(ray, t)) return hit;
+  hit.kind = SphereKind::tangent;
+  hit.root = Root::both;
+  hit.t[0] = t;
+  return hit;
+}
+
+/// The secant with those of the roots that lie in the range; a miss where none does.
+template <Real T>
+[[nodiscard]] constexpr SphereHit<T> hit_of_roots(const Ray<T>& ray, OriginSide origin, const Roots<T>& t) noexcept {
+  SphereHit<T> hit;
+  hit.origin = origin;
   const bool first = in_range(ray, t.first);
   const bool second = in_range(ray, t.second);
   if (!first && !second) return hit;
@@ -85,6 +85,18 @@ template <Real T, class RootsOf>
   hit.t[0] = first ? t.first : t.second;
   if (first && second) hit.t[1] = t.second;
   return hit;
+}
+
+/// The answer by the computed numbers, `roots` being the form of the solution.
+template <Real T, class RootsOf>
+[[nodiscard]] SphereHit<T> intersect_by(const Ray<T>& ray, const Sphere<T>& sphere, RootsOf roots) noexcept {
+  const Quadratic<T> q = quadratic(ray, sphere);
+  SphereHit<T> hit;
+  hit.origin = q.c < 0 ? OriginSide::inside : q.c > 0 ? OriginSide::outside : OriginSide::on;
+  const T d = discriminant(q);
+  if (d < 0) return hit;
+  if (d == 0) return hit_of_double_root(ray, hit.origin, -q.b / (2 * q.a));
+  return hit_of_roots(ray, hit.origin, roots(q));
 }
 
 /// intersect_by(ray, sphere, roots by q).kind != miss, with early exits; the roots need no order for that.
