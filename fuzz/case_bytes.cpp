@@ -16,7 +16,15 @@ namespace {
 
 constexpr std::uint8_t query_mask = 7, double_bit = 8, range_bit = 16, compact_bit = 32, eightfold_bit = 64;
 constexpr std::int8_t infinite_end = 127;
-constexpr std::size_t groups = 3, queries = std::variant_size_v<Case<double>>;
+constexpr std::size_t exponents = 3, queries = std::variant_size_v<Case<double>>;
+
+/// The first query of a group, and how many it has.
+constexpr std::size_t first_of(QueryGroup group) {
+  return static_cast<std::size_t>(group);
+}
+constexpr std::size_t count_of(QueryGroup group) {
+  return group == QueryGroup::implicit ? queries - first_of(group) : 1;
+}
 
 /// The numbers of a case in the order of its line; of a ray's range last, and only if it is given.
 template <Real T>
@@ -31,7 +39,7 @@ struct Numbers {
   [[nodiscard]] T& at(std::size_t i) const { return *all.at[i]; }
   [[nodiscard]] bool is_end(std::size_t i) const { return has_range && i + 1 == all.count; }
   /// Which exponent the compact form gives the number.
-  [[nodiscard]] std::size_t group(std::size_t i) const {
+  [[nodiscard]] std::size_t exponent_of(std::size_t i) const {
     if (i >= plain_count) return 2;
     if (query < 2) return i >= 3 && i < 6 ? 1 : 0;
     const std::size_t point = query == 2 ? 2 : 3;
@@ -79,20 +87,20 @@ Case<T> case_of(std::size_t query) {
 }
 
 template <Real T>
-Case<T> decode(std::uint8_t head, Reader reader) {
-  Case<T> input = case_of<T>((head & query_mask) % queries);
+Case<T> decode(QueryGroup group, std::uint8_t head, Reader reader) {
+  Case<T> input = case_of<T>(first_of(group) + (head & query_mask) % count_of(group));
   const Numbers<T> numbers(input, (head & range_bit) != 0);
   if ((head & compact_bit) == 0) {
     for (std::size_t i = 0; i < numbers.count(); ++i) numbers.at(i) = reader.number<T>();
     return input;
   }
   const int factor = (head & eightfold_bit) != 0 ? 8 : 1;
-  std::array<int, groups> exponent{};
+  std::array<int, exponents> exponent{};
   for (int& e : exponent) e = factor * reader.signed_byte();
   for (std::size_t i = 0; i < numbers.count(); ++i) {
     const std::int8_t m = reader.signed_byte();
     const bool is_infinite = numbers.is_end(i) && m == infinite_end;
-    numbers.at(i) = is_infinite ? std::numeric_limits<T>::infinity() : std::ldexp(T(m), exponent[numbers.group(i)]);
+    numbers.at(i) = is_infinite ? std::numeric_limits<T>::infinity() : std::ldexp(T(m), exponent[numbers.exponent_of(i)]);
   }
   return input;
 }
@@ -111,11 +119,11 @@ int last_exponent(T x) {
 template <Real T>
 std::vector<std::uint8_t> encode_compact(std::uint8_t head, const Numbers<T>& numbers) {
   constexpr int none = 128;
-  std::array<int, groups> exponent;
+  std::array<int, exponents> exponent;
   exponent.fill(none);
   for (std::size_t i = 0; i < numbers.count(); ++i) {
     const T x = numbers.at(i);
-    int& e = exponent[numbers.group(i)];
+    int& e = exponent[numbers.exponent_of(i)];
     if (std::isfinite(x) && x != 0) e = std::min(e, last_exponent(x));
   }
   std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(head | compact_bit)};
@@ -124,7 +132,7 @@ std::vector<std::uint8_t> encode_compact(std::uint8_t head, const Numbers<T>& nu
     bytes.push_back(static_cast<std::uint8_t>(e));
   }
   for (std::size_t i = 0; i < numbers.count(); ++i) {
-    const T m = std::ldexp(numbers.at(i), -exponent[numbers.group(i)]);
+    const T m = std::ldexp(numbers.at(i), -exponent[numbers.exponent_of(i)]);
     const bool is_infinite = numbers.is_end(i) && std::isinf(m);
     bytes.push_back(static_cast<std::uint8_t>(is_infinite ? infinite_end : m >= -128 && m <= 127 ? static_cast<int>(m) : 0));
   }
@@ -149,11 +157,11 @@ bool has_default_range(Case<T> input) {
 
 }  // namespace
 
-AnyCase decode_case(std::span<const std::uint8_t> bytes) {
+AnyCase decode_case(QueryGroup group, std::span<const std::uint8_t> bytes) {
   Reader reader(bytes);
   const std::uint8_t head = reader.byte();
-  if ((head & double_bit) != 0) return decode<double>(head, reader);
-  return decode<float>(head, reader);
+  if ((head & double_bit) != 0) return decode<double>(group, head, reader);
+  return decode<float>(group, head, reader);
 }
 
 template <Real T>
@@ -161,11 +169,12 @@ std::vector<std::uint8_t> encode_case(const Case<T>& input) {
   Case<T> copy = input;
   const bool range = !has_default_range(input);
   const Numbers<T> numbers(copy, range);
-  const auto head =
-      static_cast<std::uint8_t>(input.index() | (sizeof(T) == sizeof(double) ? double_bit : 0) | (range ? range_bit : 0));
+  const QueryGroup group = group_of(input.index());
+  const auto head = static_cast<std::uint8_t>((input.index() - first_of(group)) |
+                                              (sizeof(T) == sizeof(double) ? double_bit : 0) | (range ? range_bit : 0));
 
   std::vector<std::uint8_t> bytes = encode_compact(head, numbers);
-  if (is_same_case(std::get<Case<T>>(decode_case(bytes)), input)) return bytes;
+  if (is_same_case(std::get<Case<T>>(decode_case(group, bytes)), input)) return bytes;
 
   bytes = {head};
   for (std::size_t i = 0; i < numbers.count(); ++i) {

@@ -1,13 +1,14 @@
-// Writes the seed corpus of the target `query`: the first cases of each family in both precisions, each a file named by its
-// hash.
-//   make_corpus FOLDER [CASES]     two a family and precision unless said otherwise
+// Writes seeds of a target of cases: the first cases of each family in both precisions, each a file named by its hash.
+//   make_corpus sphere|triangle|implicit FOLDER [CASES]     eight a family and precision unless said otherwise
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "fuzz/case_bytes.hpp"
 #include "fuzz/family.hpp"
@@ -26,20 +27,29 @@ std::string hash_of(const std::vector<std::uint8_t>& bytes) {
   return digits;
 }
 
+std::optional<QueryGroup> group_named(std::string_view target) {
+  if (target == "sphere") return QueryGroup::ray_sphere;
+  if (target == "triangle") return QueryGroup::ray_triangle;
+  if (target == "implicit") return QueryGroup::implicit;
+  return std::nullopt;
+}
+
+/// Writes the case where it is of the group.
 template <Real T>
-bool write(const Family& family, std::uint64_t index, const std::filesystem::path& folder) {
-  const std::vector<std::uint8_t> bytes = encode_case(make<T>(family, seed, index).input);
+bool write(QueryGroup group, const Family& family, std::uint64_t index, const std::filesystem::path& folder) {
+  const Case<T> input = make<T>(family, seed, index).input;
+  if (group_of(input.index()) != group) return true;
+  const std::vector<std::uint8_t> bytes = encode_case(input);
   std::ofstream file(folder / hash_of(bytes), std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   return file.good();
 }
 
-/// Families turn from shape to shape every fourth case, and every fourth is exact.
-bool write_corpus(const std::filesystem::path& folder, std::uint64_t cases) {
+bool write_corpus(QueryGroup group, const std::filesystem::path& folder, std::uint64_t cases) {
   std::filesystem::create_directories(folder);
   for (const Family& family : families()) {
     for (std::uint64_t index = 0; index < cases; ++index) {
-      if (!write<float>(family, 4 * index, folder) || !write<double>(family, 4 * index + 1, folder)) return false;
+      if (!write<float>(group, family, index, folder) || !write<double>(group, family, index, folder)) return false;
     }
   }
   return true;
@@ -49,15 +59,17 @@ bool write_corpus(const std::filesystem::path& folder, std::uint64_t cases) {
 }  // namespace graze::fuzz
 
 int main(int argc, char** argv) {
-  std::uint64_t cases = 2;
+  // Families turn from shape to shape every fourth case.
+  std::uint64_t cases = 8;
+  const auto group = argc > 1 ? graze::fuzz::group_named(argv[1]) : std::nullopt;
   const bool is_understood =
-      argc == 2 || (argc == 3 && std::from_chars(argv[2], argv[2] + std::strlen(argv[2]), cases).ec == std::errc{});
+      group && (argc == 3 || (argc == 4 && std::from_chars(argv[3], argv[3] + std::strlen(argv[3]), cases).ec == std::errc{}));
   if (!is_understood) {
-    std::fprintf(stderr, "usage: %s FOLDER [CASES]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s sphere|triangle|implicit FOLDER [CASES]\n", argv[0]);
     return 2;
   }
-  if (!graze::fuzz::write_corpus(argv[1], cases)) {
-    std::fprintf(stderr, "%s: cannot be written\n", argv[1]);
+  if (!graze::fuzz::write_corpus(*group, argv[2], cases)) {
+    std::fprintf(stderr, "%s: cannot be written\n", argv[2]);
     return 2;
   }
   return 0;

@@ -19,14 +19,14 @@ using Bytes = std::vector<std::uint8_t>;
 template <Real T>
 void require_round_trip(const Case<T>& input) {
   const Bytes bytes = encode_case(input);
-  const Case<T> decoded = std::get<Case<T>>(decode_case(bytes));
+  const Case<T> decoded = std::get<Case<T>>(decode_case(group_of(input.index()), bytes));
   CHECK(format_case(decoded) == format_case(input));
   CHECK(encode_case(decoded) == bytes);
 }
 
 template <Real T>
-Case<T> decoded(const Bytes& bytes) {
-  return std::get<Case<T>>(decode_case(bytes));
+Case<T> decoded(QueryGroup group, const Bytes& bytes) {
+  return std::get<Case<T>>(decode_case(group, bytes));
 }
 
 }  // namespace
@@ -45,16 +45,27 @@ TEST_CASE("any bytes are a case, which comes back") {
     Random random(1, "bytes", index);
     Bytes bytes(random.below(160));
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.bits());
-    std::visit([](const auto& input) { require_round_trip(input); }, decode_case(bytes));
+    for (const QueryGroup group : {QueryGroup::ray_sphere, QueryGroup::ray_triangle, QueryGroup::implicit}) {
+      std::visit(
+          [&](const auto& input) {
+            CHECK(group_of(input.index()) == group);
+            require_round_trip(input);
+          },
+          decode_case(group, bytes));
+    }
   }
 }
 
 TEST_CASE("the empty string is a case of zeros, and what is missing is read as zero") {
-  CHECK(format_case(decoded<float>({})) == "ray_sphere 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
-  CHECK(format_case(decoded<double>({2 | 8, 0, 0, 0, 0, 0, 0, 0xf0, 0x3f})) == "point_line 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
+  CHECK(format_case(decoded<float>(QueryGroup::ray_sphere, {})) ==
+        "ray_sphere 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
+  CHECK(format_case(decoded<double>(QueryGroup::implicit, {8, 0, 0, 0, 0, 0, 0, 0xf0, 0x3f})) ==
+        "point_line 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
   // A number whose last bytes are missing, and bytes that are left over.
-  CHECK(format_case(decoded<float>({2, 0, 0, 0x80})) == "point_line 0x1p-126 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
-  CHECK(format_case(decoded<float>(Bytes(500, 0))) == format_case(decoded<float>({})));
+  CHECK(format_case(decoded<float>(QueryGroup::implicit, {0, 0, 0, 0x80})) ==
+        "point_line 0x1p-126 0x0p+0 0x0p+0 0x0p+0 0x0p+0");
+  CHECK(format_case(decoded<float>(QueryGroup::ray_sphere, Bytes(500, 0))) ==
+        format_case(decoded<float>(QueryGroup::ray_sphere, {})));
 }
 
 TEST_CASE("small integers have the compact form, with an exponent for positions, direction and range") {
@@ -78,7 +89,7 @@ TEST_CASE("small integers have the compact form, with an exponent for positions,
     CHECK(encode_case(Case<double>(query)).size() == 1 + 12 * 8);
   }
   SECTION("exponents may be eightfold") {
-    CHECK(format_case(decoded<double>({2 | 8 | 32 | 64, 100, 0x81, 0, 3, 0xff, 1, 0, 2})) ==
+    CHECK(format_case(decoded<double>(QueryGroup::implicit, {8 | 32 | 64, 100, 0x81, 0, 3, 0xff, 1, 0, 2})) ==
           "point_line 0x1.8p+801 -0x1p+800 0x1p-1016 0x0p+0 0x1p-1015");
   }
 }

@@ -62,9 +62,11 @@ TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle, const Triang
   if (!numeric::rounds_to_nearest()) return exact::intersect(ray, triangle);
   const Quotients q = quotients(ray, triangle, terms);
   TriangleHit<T> hit;
-  const bool is_certain = q.are_bounded & rounds_certainly(q.hi[0], q.lo[0], q.t_error, hit.t) &
-                          rounds_certainly(q.hi[1], q.lo[1], q.u_error, hit.u) &
-                          rounds_certainly(q.hi[2], q.lo[2], q.v_error, hit.v);
+  const bool is_t_certain = rounds_certainly(q.hi[0], q.lo[0], q.t_error, hit.t);
+  const bool is_u_certain = rounds_certainly(q.hi[1], q.lo[1], q.u_error, hit.u);
+  const bool is_v_certain = rounds_certainly(q.hi[2], q.lo[2], q.v_error, hit.v);
+  // One branch for all: & and not &&.
+  const bool is_certain = q.are_bounded & is_t_certain & is_u_certain & is_v_certain;
   if (!is_certain) return exact::intersect(ray, triangle);
   hit.kind = TriangleKind::face;
   hit.facing = terms.determinant > 0 ? Facing::front : Facing::back;
