@@ -1,135 +1,98 @@
 #include "cli/certify.hpp"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <fstream>
+#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <thread>
 
-#include "cli/certify_report.hpp"
+#include "cli/campaign_options.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/kernels.hpp"
-#include "fuzz/certify/campaign.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/report_file.hpp"
+#include "fuzz/report/merge.hpp"
+#include "fuzz/report/numbers.hpp"
+#include "fuzz/report/text.hpp"
 
 namespace graze::cli {
 namespace {
 
 struct Options {
   std::string kernel = "graze";
-  std::uint64_t cases = 10000;
-  std::uint64_t seed = 1;
-  std::uint64_t second_oracle_every = 16;
-  std::vector<std::string> families, meshes;
-  std::string json;
+  CampaignOptions campaign;
+  std::string shard;
+  bool resume = false;
+  Outputs outputs;
 };
 
 std::atomic<bool> interrupted{false};
 
-void interrupt(int) {
+/// The first signal asks for an end, the second makes one.
+void interrupt(int signal) {
   interrupted = true;
+  std::signal(signal, SIG_DFL);
 }
-
-/// A line on a terminal, kept up to date while the campaign runs.
-class ProgressLine {
- public:
-  explicit ProgressLine(const fuzz::Progress& progress) {
-    if (isatty(STDERR_FILENO) == 0) return;
-    thread_ = std::jthread([&progress](const std::stop_token& stop) {
-      while (!stop.stop_requested()) {
-        const std::uint64_t done = progress.cases_done, planned = std::max<std::uint64_t>(progress.cases_planned, 1);
-        std::cerr << "\r\033[K" << done << " of " << planned << " cases, " << 100 * done / planned << " %" << std::flush;
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));
-      }
-      std::cerr << "\r\033[K" << std::flush;
-    });
-  }
-
- private:
-  std::jthread thread_;
-};
 
 int refuse(const std::string& message) {
   std::cerr << "graze: " << message << '\n';
   return exit_bad_input;
 }
 
-/// Fills the campaign; what is wrong with the options otherwise.
-std::string plan(const Options& options, fuzz::Campaign& campaign) {
-  campaign.seed = options.seed;
-  campaign.cases = options.cases;
-  for (const fuzz::Family& family : fuzz::families()) {
-    if (options.families.empty()) campaign.families.push_back(&family);
+/// Takes over what the file holds, if there is one.
+std::string resume(const std::string& file, fuzz::Report& report) {
+  if (!std::filesystem::exists(file)) return {};
+  auto read = read_report(file);
+  if (const auto* wrong = std::get_if<std::string>(&read)) return *wrong;
+  const auto& before = std::get<fuzz::Report>(read);
+  const std::set<fuzz::Shard> shards = report.shards;
+  if (const std::string wrong = merge(report, before); !wrong.empty()) {
+    return file + ": is of another campaign, so it cannot be resumed; now and in the file, " + wrong;
   }
-  for (const std::string& name : options.families) {
-    const fuzz::Family* family = fuzz::find_family(name);
-    if (family == nullptr) {
-      std::string names;
-      for (const fuzz::Family& f : fuzz::families()) names.append(names.empty() ? "" : ", ").append(f.name);
-      return "no family is named '" + name + "'; there are: " + names;
-    }
-    campaign.families.push_back(family);
-  }
-  for (const std::string& file : options.meshes) {
-    auto mesh = fuzz::read_mesh(file);
-    if (const auto* error = std::get_if<fuzz::MeshError>(&mesh)) return error->what;
-    campaign.meshes.push_back(std::get<fuzz::Mesh>(std::move(mesh)));
-    const auto open = fuzz::open_edges(campaign.meshes.back());
-    if (!open.empty()) {
-      return file + ": is not closed: the edge from point " + std::to_string(open.front().from) + " to point " +
-             std::to_string(open.front().to) + " has no reverse (" + std::to_string(open.size()) + " such edges)";
-    }
-  }
-  // Families chosen by name alone run alone.
-  if (options.meshes.empty() && options.families.empty()) campaign.meshes = {fuzz::icosphere(4), fuzz::wavy_sphere(4)};
+  if (report.shards != shards && !report.is_whole()) return file + ": is of another shard, so it cannot be resumed";
   return {};
 }
 
 int run(const Options& options) {
   const fuzz::Subject* kernel = fuzz::find_subject(options.kernel);
   if (kernel == nullptr) return refuse("no kernel is named '" + options.kernel + "'; there are: " + kernel_names());
+  const auto shard = options.shard.empty() ? fuzz::Shard() : fuzz::parse_shard(options.shard);
+  if (!shard) return refuse("--shard " + options.shard + ": is no shard; 1/4 to 4/4 are the four of four");
+  if (options.resume && options.outputs.json.empty())
+    return refuse("--resume goes on from the file of --json, which is not given");
   fuzz::Campaign campaign;
-  if (const std::string wrong = plan(options, campaign); !wrong.empty()) return refuse(wrong);
-  std::ofstream json;
-  if (!options.json.empty()) {
-    json.open(options.json);
-    if (!json) return refuse(options.json + ": cannot be written; check the folder and its permissions");
+  if (const std::string wrong = fill(campaign, options.campaign); !wrong.empty()) return refuse(wrong);
+
+  const fuzz::Judges judges{*kernel, oracle::gmp_oracle(), oracle::cgal_oracle(), options.campaign.second_oracle_every};
+  const fuzz::Plan plan(campaign);
+  fuzz::Report report = fuzz::blank_report(campaign, plan, judges, *shard);
+  if (options.resume) {
+    if (const std::string wrong = resume(options.outputs.json, report); !wrong.empty()) return refuse(wrong);
   }
+  if (const std::string wrong = write_outputs(options.outputs, report); !wrong.empty()) return refuse(wrong);
 
   fuzz::Progress progress;
   progress.stop = &interrupted;
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  const fuzz::Judges judges{*kernel, oracle::gmp_oracle(), oracle::cgal_oracle(), options.second_oracle_every};
-  CertifyReport report{std::string(kernel->name()),
-                       std::string(kernel->about()),
-                       kernel->deviations(),
-                       options.seed,
-                       options.cases,
-                       options.second_oracle_every,
-                       false,
-                       0,
-                       {}};
+  fuzz::Ledger ledger(report.rows);
   const auto start = std::chrono::steady_clock::now();
   {
     const ProgressLine line(progress);
-    report.rows = fuzz::run(campaign, judges, progress);
+    // A save that fails is told by the last one.
+    const Saver saver([&options, &ledger, part = report]() mutable {
+      part.rows = ledger.rows();
+      (void)write_outputs({options.outputs.json}, part);
+    });
+    run(plan, judges, *shard, ledger, progress);
   }
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report.is_interrupted = interrupted;
-
-  print(report, std::cout);
-  if (json.is_open() && !(json << to_json(report).dump(2) << '\n' << std::flush)) {
-    return refuse(options.json + ": could not be written to its end; is the disk full?");
-  }
-  const bool is_wrong = !report.total().is_clean() || report.lost_rays() != 0;
-  return is_wrong ? exit_found_wrong : report.is_complete() ? exit_well : exit_bad_input;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  report.rows = ledger.rows();
+  print(report, seconds.count(), std::cout);
+  if (const std::string wrong = write_outputs(options.outputs, report); !wrong.empty()) return refuse(wrong);
+  return exit_status(report);
 }
 
 }  // namespace
@@ -138,14 +101,11 @@ void add_certify(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("certify", "Hold a kernel against the exact oracles on inputs that break kernels");
   const auto options = std::make_shared<Options>();
   command->add_option("--kernel", options->kernel, "which kernel (default graze): " + kernel_names());
-  command->add_option("--cases", options->cases, "cases a family and precision (default 10000)")->check(CLI::PositiveNumber);
-  command->add_option("--seed", options->seed, "of the families' streams (default 1)");
-  command->add_option("--families", options->families, "only these, comma-separated (default all)")->delimiter(',');
-  command->add_option("--mesh", options->meshes,
-                      "closed meshes to aim at from inside (default: two generated ones, unless families are named)");
-  command->add_option("--json", options->json, "write the whole report here too")->type_name("FILE");
-  command->add_option("--second-oracle-every", options->second_oracle_every,
-                      "CGAL confirms every N-th case (default 16, 1 for all, 0 for none)");
+  add_options(*command, options->campaign);
+  command->add_option("--shard", options->shard, "only the i-th of N equal shares, for `graze merge`")->type_name("i/N");
+  command->add_flag("--resume", options->resume, "go on from what the file of --json holds, if there is one");
+  command->add_option("--json", options->outputs.json, "write the whole report here too, and what is done every 2 seconds")
+      ->type_name("FILE");
   std::string families;
   for (const fuzz::Family& f : fuzz::families()) families += "  " + std::string(f.name) + ": " + std::string(f.attacks) + "\n";
   command->footer("Families:\n" + families + "Exit status: 0 nothing is wrong, 1 something is, 2 usage or input error.");

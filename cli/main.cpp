@@ -7,6 +7,7 @@
 #include "cli/answer.hpp"
 #include "cli/certify.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/merge.hpp"
 
 namespace {
 
@@ -17,6 +18,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(0, 1);
   graze::cli::add_answer(program, status);
   graze::cli::add_certify(program, status);
+  graze::cli::add_merge(program, status);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

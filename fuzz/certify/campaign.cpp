@@ -1,96 +1,98 @@
 #include "fuzz/certify/campaign.hpp"
 
 #include <algorithm>
+#include <memory>
 
+#include "fuzz/certify/input_hash.hpp"
 #include "fuzz/certify/mesh_rays.hpp"
 #include "fuzz/certify/parallel.hpp"
 
 namespace graze::fuzz {
 namespace {
 
-constexpr std::uint64_t cases_a_job = 2048, cases_asked_at_once = 256;
+/// A unit of work: long enough that its bookkeeping does not show, short enough that a core is never long without.
+constexpr std::uint64_t cases_a_unit = 1024;
+/// The subject is asked as many cases at once; a stop is heeded between.
+constexpr std::uint64_t cases_at_once = 256;
 
-struct Job {
+/// Cases of a row that are to be judged, as units numbered on from `first_unit`.
+struct Work {
   std::size_t row;
-  std::function<void(Row&)> work;
+  Range range;
+  std::size_t first_unit;
 };
 
-template <Real T>
-void judge_family(const Family& family, std::uint64_t seed, std::uint64_t from, std::uint64_t to, const Judges& judges,
-                  Progress& progress, Tally& tally) {
-  std::vector<Case<T>> inputs;
-  std::vector<Reply<T>> replies;
-  for (std::uint64_t index = from; index < to && !progress.is_stopped(); index += inputs.size()) {
-    inputs.clear();
-    for (std::uint64_t i = index; i < std::min(index + cases_asked_at_once, to); ++i) {
-      inputs.push_back(make<T>(family, seed, i).input);
-    }
-    replies.assign(inputs.size(), {});
-    judges.subject.answer(std::span<const Case<T>>(inputs), std::span(replies));
-    for (std::size_t i = 0; i < inputs.size(); ++i) check(judges, inputs[i], replies[i], index + i, tally);
-    progress.cases_done += inputs.size();
-  }
-}
-
-template <Real T>
-void plan_family(const Family& family, const Campaign& campaign, const Judges& judges, Progress& progress,
-                 std::vector<Row>& rows, std::vector<Job>& jobs) {
-  const std::size_t row = rows.size();
-  rows.push_back({std::string(family.name), precision_name<T>, {}});
-  for (std::uint64_t from = 0; from < campaign.cases; from += cases_a_job) {
-    const std::uint64_t to = std::min(from + cases_a_job, campaign.cases);
-    jobs.push_back({row, [&family, &judges, &progress, seed = campaign.seed, from, to](Row& part) {
-                      judge_family<T>(family, seed, from, to, judges, progress, part.tally);
-                    }});
-  }
-  progress.cases_planned += campaign.cases;
-}
-
-template <Real T>
-void plan_mesh(const Mesh& mesh, const Campaign& campaign, const Judges& judges, Progress& progress, std::vector<Row>& rows,
-               std::vector<Job>& jobs) {
-  const auto rays = std::make_shared<const MeshRays<T>>(mesh, campaign.seed);
-  for (const Target target : {Target::corner, Target::edge_midpoint, Target::face_center}) {
-    const std::size_t row = rows.size(), count = rays->count(target);
-    rows.push_back({mesh.name + ": " + std::string(name_of(target)), precision_name<T>, {}, true});
-    if (count == 0) rows.back().obstacle = "no point inside the mesh was found in 64 draws";
-    for (std::size_t from = 0; from < count; from += cases_a_job) {
-      const std::size_t to = std::min<std::size_t>(from + cases_a_job, count);
-      jobs.push_back({row, [rays, &judges, &progress, target, from, to](Row& part) {
-                        for (std::size_t i = from; i < to && !progress.is_stopped(); ++i) {
-                          judge_mesh_ray(*rays, target, i, judges, part);
-                          ++progress.cases_done;
-                        }
-                      }});
-    }
-    progress.cases_planned += count;
-  }
+std::uint64_t discrepancies(const Part& part) {
+  return part.tally.cases - part.tally.count(Disagreement::none) + part.tally.count(Disagreement::oracles) + part.lost_rays;
 }
 
 }  // namespace
 
-std::vector<Row> run(const Campaign& campaign, const Judges& judges, Progress& progress) {
-  std::vector<Row> rows;
-  std::vector<Job> jobs;
+template <Real T>
+void Plan::plan_family(const Family& family, const Campaign& campaign) {
+  rows_.push_back({std::string(family.name), precision_name<T>, false, campaign.cases});
+  judges_.push_back([&family, seed = campaign.seed](Range cases, const Judges& judges, Part& part) {
+    std::vector<Case<T>> inputs;
+    for (std::uint64_t i = cases.from; i < cases.to; ++i) inputs.push_back(make<T>(family, seed, i).input);
+    std::vector<Reply<T>> replies(inputs.size());
+    judges.subject.answer(std::span<const Case<T>>(inputs), std::span(replies));
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      part.input_hash += input_hash(inputs[i], cases.from + i);
+      check(judges, inputs[i], replies[i], cases.from + i, part.tally);
+    }
+  });
+}
+
+template <Real T>
+void Plan::plan_mesh(const Mesh& mesh, std::uint64_t seed) {
+  const auto rays = std::make_shared<const MeshRays<T>>(mesh, seed);
+  for (const Target target : {Target::corner, Target::edge_midpoint, Target::face_center}) {
+    rows_.push_back({mesh.name + ": " + std::string(name_of(target)), precision_name<T>, true, rays->count(target)});
+    if (rays->count(target) == 0) rows_.back().obstacle = "no point inside the mesh was found in 64 draws";
+    judges_.push_back([rays, target](Range cases, const Judges& judges, Part& part) {
+      for (std::uint64_t i = cases.from; i < cases.to; ++i) judge_mesh_ray(*rays, target, i, judges, part);
+    });
+  }
+}
+
+Plan::Plan(const Campaign& campaign) {
   for (const Family* family : campaign.families) {
-    plan_family<float>(*family, campaign, judges, progress, rows, jobs);
-    plan_family<double>(*family, campaign, judges, progress, rows, jobs);
+    plan_family<float>(*family, campaign);
+    plan_family<double>(*family, campaign);
   }
   for (const Mesh& mesh : campaign.meshes) {
-    if (progress.is_stopped()) break;
-    plan_mesh<float>(mesh, campaign, judges, progress, rows, jobs);
-    plan_mesh<double>(mesh, campaign, judges, progress, rows, jobs);
+    plan_mesh<float>(mesh, campaign.seed);
+    plan_mesh<double>(mesh, campaign.seed);
   }
-  // Parts are merged in the order of the jobs, whoever ran them when.
-  std::vector<Row> parts(jobs.size());
-  for_each_job(jobs.size(), [&](std::size_t i) { jobs[i].work(parts[i]); });
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    Row& row = rows[jobs[i].row];
-    row.tally.merge(parts[i].tally);
-    row.rays += parts[i].rays;
-    row.lost_rays += parts[i].lost_rays;
+}
+
+void run(const Plan& plan, const Judges& judges, const Shard& shard, Ledger& ledger, Progress& progress) {
+  std::vector<Work> works;
+  std::size_t units = 0;
+  const std::vector<Row> rows = ledger.rows();
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (const Range gap : rows[row].gaps(shard.of(rows[row].planned))) {
+      works.push_back({row, gap, units});
+      units += (gap.to - gap.from + cases_a_unit - 1) / cases_a_unit;
+      progress.cases_planned += gap.to - gap.from;
+    }
   }
-  return rows;
+  for_each_job(units, [&](std::size_t unit) {
+    if (progress.is_stopped()) return;
+    const auto after = std::upper_bound(works.begin(), works.end(), unit,
+                                        [](std::size_t wanted, const Work& work) { return wanted < work.first_unit; });
+    const Work& work = *std::prev(after);
+    const std::uint64_t from = work.range.from + (unit - work.first_unit) * cases_a_unit;
+    const std::uint64_t to = std::min(from + cases_a_unit, work.range.to);
+    Part part{{from, from}, {}};
+    while (part.range.to < to && !progress.is_stopped()) {
+      const Range next{part.range.to, std::min(part.range.to + cases_at_once, to)};
+      plan.judge(work.row, next, judges, part);
+      progress.cases_done += next.to - next.from;
+    }
+    progress.discrepancies += discrepancies(part);
+    ledger.cover(work.row, std::move(part));
+  });
 }
 
 }  // namespace graze::fuzz

@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-#include "fuzz/certify/campaign.hpp"
+#include "fuzz/certify/input_hash.hpp"
 #include "fuzz/random.hpp"
 
 namespace graze::fuzz {
@@ -146,7 +146,7 @@ std::span<const std::uint32_t> MeshRays<T>::fan(Target target, std::size_t index
 }
 
 template <Real T>
-void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Judges& judges, Row& row) {
+void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Judges& judges, Part& part) {
   const Ray<T> ray = rays.ray(target, index);
   const auto replies_of = [&](const std::vector<Case<T>>& inputs) {
     std::vector<Reply<T>> replies(inputs.size());
@@ -156,28 +156,29 @@ void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, c
   const auto hits = [](const Reply<T>& reply) { return reply && is_hit(*reply); };
   std::vector<Case<T>> inputs;
   for (const std::uint32_t f : rays.fan(target, index)) inputs.push_back(RayTriangle<T>{ray, rays.triangle(f)});
+  for (const Case<T>& input : inputs) part.input_hash += input_hash(input, index);
   std::vector<Reply<T>> replies = replies_of(inputs);
   bool truth_hits = false, subject_hits = false;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (!replies[i] && replies[i].failure().empty()) return;
-    truth_hits |= is_hit(check(judges, inputs[i], replies[i], index, row.tally));
+    truth_hits |= is_hit(check(judges, inputs[i], replies[i], index, part.tally));
     subject_hits |= hits(replies[i]);
   }
-  ++row.rays;
+  ++part.rays;
   if (subject_hits) return;
   if (truth_hits) {
-    ++row.lost_rays;
+    ++part.lost_rays;
     return;
   }
   inputs.clear();
   for (std::size_t f = 0; f < rays.size(); ++f) inputs.push_back(RayTriangle<T>{ray, rays.triangle(f)});
   replies = replies_of(inputs);
-  if (std::none_of(replies.begin(), replies.end(), hits)) ++row.lost_rays;
+  if (std::none_of(replies.begin(), replies.end(), hits)) ++part.lost_rays;
 }
 
 template class MeshRays<float>;
 template class MeshRays<double>;
-template void judge_mesh_ray(const MeshRays<float>&, Target, std::size_t, const Judges&, Row&);
-template void judge_mesh_ray(const MeshRays<double>&, Target, std::size_t, const Judges&, Row&);
+template void judge_mesh_ray(const MeshRays<float>&, Target, std::size_t, const Judges&, Part&);
+template void judge_mesh_ray(const MeshRays<double>&, Target, std::size_t, const Judges&, Part&);
 
 }  // namespace graze::fuzz

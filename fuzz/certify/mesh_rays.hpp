@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "fuzz/certify/check.hpp"
+#include "fuzz/certify/row.hpp"
 #include "fuzz/mesh/mesh.hpp"
 
 namespace graze::fuzz {
-
-struct Row;
 
 enum class Target { corner, edge_midpoint, face_center };
 [[nodiscard]] std::string_view name_of(Target target);
@@ -51,6 +50,6 @@ class MeshRays {
 /// Judges the ray against every triangle around its target. The ray is lost where the exact answer meets one of them and the
 /// subject none; where the rounded ray passes beside them all, the whole mesh is asked.
 template <Real T>
-void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Judges& judges, Row& row);
+void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Judges& judges, Part& part);
 
 }  // namespace graze::fuzz
