@@ -4,12 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 
 #include "fuzz/answer_names.hpp"
 #include "fuzz/case_numbers.hpp"
+#include "fuzz/number_text.hpp"
 #include "fuzz/same_bits.hpp"
 
 namespace graze::fuzz {
@@ -58,21 +58,6 @@ std::string quoted(std::string_view word) {
   }
   text += word.size() > longest ? "...'" : "'";
   return text;
-}
-
-template <Real T>
-std::optional<T> parse_number(std::string_view word) {
-  const std::string terminated(word);
-  char* end = nullptr;
-  T number{};
-  if constexpr (std::same_as<T, float>) {
-    number = std::strtof(terminated.c_str(), &end);
-  } else {
-    number = std::strtod(terminated.c_str(), &end);
-  }
-  // A NUL inside the word ends the number early, so it is caught here too.
-  if (end != terminated.c_str() + terminated.size()) return std::nullopt;
-  return number;
 }
 
 LineError unknown_query(std::string_view word) {

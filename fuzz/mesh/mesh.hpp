@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -22,8 +23,15 @@ struct MeshError {
   std::string what;
 };
 
-/// Reads OFF, OBJ, PLY or STL by the file's ending, through CGAL. A polygon is a fan of triangles from its first corner.
-/// Numbers that are not finite and indices out of range are refused.
+enum class MeshFormat { off, obj, ply, stl };
+
+/// Reads a mesh from the bytes of a file; `file` is for its name and for messages. A polygon is a fan of triangles from its
+/// first corner; of what else the formats know (normals, colors, textures) nothing is kept. Refused, with line or element:
+/// numbers that are not finite, indices out of range, faces of less than three corners, and files that end too early. Takes
+/// time and memory in proportion to the bytes, whatever they claim.
+[[nodiscard]] std::variant<Mesh, MeshError> parse_mesh(std::string_view bytes, MeshFormat format, const std::string& file);
+
+/// The same from a file, in the format that its ending tells: .off, .obj, .ply, .stl.
 [[nodiscard]] std::variant<Mesh, MeshError> read_mesh(const std::string& file);
 
 /// A directed edge without its reverse, as indices of points; none where the mesh is closed: every directed edge occurs as

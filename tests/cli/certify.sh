@@ -63,7 +63,7 @@ run certify --mesh folder.off </dev/null
 expect_like "a folder for a mesh" 2 err "folder.off: is a folder"
 echo "not a mesh" >broken.off
 run certify --mesh broken.off </dev/null
-expect_like "not a mesh" 2 err "broken.off: is not a mesh that can be read"
+expect_like "not a mesh" 2 err "broken.off:1: an integer is wanted where"
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >open.off
 run certify --mesh open.off </dev/null
 expect_like "an open mesh" 2 err "open.off: is not closed: the edge from point 0 to point 1 has no reverse"
