@@ -8,6 +8,7 @@
 #include "cli/certify.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/merge.hpp"
+#include "cli/shrink.hpp"
 
 namespace {
 
@@ -19,6 +20,7 @@ int run(int argc, char** argv) {
   graze::cli::add_answer(program, status);
   graze::cli::add_certify(program, status);
   graze::cli::add_merge(program, status);
+  graze::cli::add_shrink(program, status);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

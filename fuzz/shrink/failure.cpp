@@ -11,21 +11,24 @@ namespace {
 template <Real T>
 std::string kind_of(const Case<T>& input, const Answer<T>& answer) {
   const std::string line = format_answer(input, answer);
-  const std::size_t end = line.find(' ');
-  return line.starts_with("invalid") ? line : line.substr(0, end);
+  return line.starts_with("invalid") ? line : line.substr(0, line.find(' '));
 }
 
 }  // namespace
 
 template <Real T>
-Failure failure_of(const Case<T>& input, const Answer<T>& answer, const Answer<T>& truth, const oracle::Oracle& oracle) {
-  const Comparison c = compare(input, answer, truth, oracle);
+Failure failure_of(const Subject& subject, const Case<T>& input) {
+  const Reply<T> reply = subject.answer(input);
+  if (!reply && reply.failure().empty()) return {};
+  const Answer<T> truth = answer_of(oracle::gmp_oracle(), input);
+  if (!reply) return {Disagreement::failed, reply.failure(), kind_of(input, truth), 0};
+  const Comparison c = compare(input, *reply, truth, oracle::gmp_oracle(), subject.deviations());
   if (c.disagreement == Disagreement::none) return {};
   const int size = !std::isfinite(c.error_ulps) ? 2 : c.error_ulps > 1 ? 1 : 0;
-  return {c.disagreement, kind_of(input, answer), kind_of(input, truth), size};
+  return {c.disagreement, kind_of(input, *reply), kind_of(input, truth), size};
 }
 
-template Failure failure_of(const Case<float>&, const Answer<float>&, const Answer<float>&, const oracle::Oracle&);
-template Failure failure_of(const Case<double>&, const Answer<double>&, const Answer<double>&, const oracle::Oracle&);
+template Failure failure_of(const Subject&, const Case<float>&);
+template Failure failure_of(const Subject&, const Case<double>&);
 
 }  // namespace graze::fuzz

@@ -1,10 +1,10 @@
-// In which way an answer is wrong: what a shrinker keeps.
+// In which way a subject fails on a case: what a shrinker keeps.
 #pragma once
 
-#include <compare>
 #include <string>
 
 #include "fuzz/certify/comparison.hpp"
+#include "fuzz/subject.hpp"
 
 namespace graze::fuzz {
 
@@ -12,15 +12,15 @@ namespace graze::fuzz {
 struct Failure {
   Disagreement disagreement = Disagreement::none;
   std::string answered, exact;  ///< the words of the kinds or signs, with the status of invalid input
-  /// Of a number's error: 0 below one unit in the last place, 1 more, 2 not a number or infinitely off.
+  /// Of a number's error: 0 up to one unit in the last place, 1 more, 2 not a number or infinitely off.
   int size = 0;
 
   [[nodiscard]] bool is_failure() const { return disagreement != Disagreement::none; }
   bool operator==(const Failure&) const = default;
 };
 
+/// What the subject gets wrong, beyond what it declares; no failure where it is right or does not offer the query.
 template <Real T>
-[[nodiscard]] Failure failure_of(const Case<T>& input, const Answer<T>& answer, const Answer<T>& truth,
-                                 const oracle::Oracle& oracle);
+[[nodiscard]] Failure failure_of(const Subject& subject, const Case<T>& input);
 
 }  // namespace graze::fuzz

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "fuzz/case_text.hpp"
-#include "fuzz/certify/comparison.hpp"
 #include "fuzz/families/coordinates.hpp"
 #include "fuzz/family.hpp"
 #include "fuzz/shrink/failure.hpp"
@@ -16,13 +15,6 @@ using namespace graze;
 using namespace graze::fuzz;
 
 namespace {
-
-template <Real T>
-Failure failure(const Subject& subject, const Case<T>& input) {
-  const auto answer = subject.answer(input);
-  if (!answer) return {};
-  return failure_of(input, *answer, answer_of(oracle::gmp_oracle(), input), oracle::gmp_oracle());
-}
 
 /// No number can be dropped, made a small integer, or lose its last bit.
 template <Real T>
@@ -56,14 +48,14 @@ int shrink_family(const Subject& subject, const Family& family, std::vector<Fail
   int found = 0;
   for (std::uint64_t index = 0; index < 60; ++index) {
     const Case<T> input = make<T>(family, 1, index).input;
-    const Failure way = failure(subject, input);
+    const Failure way = failure_of(subject, input);
     if (!way.is_failure() || std::find(seen.begin(), seen.end(), way) != seen.end()) continue;
     seen.push_back(way);
     ++found;
-    const Fails<T> fails = [&](const Case<T>& candidate) { return failure(subject, candidate) == way; };
+    const Fails<T> fails = [&](const Case<T>& candidate) { return failure_of(subject, candidate) == way; };
     const Shrunk<T> shrunk = shrink(input, fails);
     CAPTURE(std::string(subject.name()), std::string(family.name), index, format_case(input), format_case(shrunk.input));
-    CHECK(failure(subject, shrunk.input) == way);
+    CHECK(failure_of(subject, shrunk.input) == way);
     CHECK(complexity(shrunk.input) <= complexity(input));
     CHECK(shrunk.input.index() == input.index());
     CHECK(shrunk.is_minimal);
@@ -95,9 +87,9 @@ TEST_CASE("a known failure shrinks to the example that one would write by hand")
   // The stable quadratic with sgn(0) = 0 loses the roots of a ray from the center of a sphere.
   const Case<double> input = RaySphere<double>{{{3.25, -1.5, 7.125}, {0.3, 0.7, -1.9}}, {{3.25, -1.5, 7.125}, 2.4}};
   const Subject& subject = *find_subject("textbook-stable");
-  const Failure way = failure(subject, input);
+  const Failure way = failure_of(subject, input);
   REQUIRE(way.is_failure());
-  const Fails<double> fails = [&](const Case<double>& candidate) { return failure(subject, candidate) == way; };
+  const Fails<double> fails = [&](const Case<double>& candidate) { return failure_of(subject, candidate) == way; };
   const Shrunk<double> shrunk = shrink(input, fails);
   CHECK(complexity(shrunk.input) <= complexity(Case<double>(RaySphere<double>{{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1}})));
 }
