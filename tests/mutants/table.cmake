@@ -18,8 +18,8 @@ graze_mutant(
   one_minus_u_below_u
   MODELS "the slip of lecture notes, 1 - u < u for 1 - u < v"
   FILE include/graze/predicates/triangle_filter.hpp
-  FIND [[whole - u - v]]
-  REPLACE [[whole - u - u]])
+  FIND [=[whole_distance[0] - u_v[0] - u_v[1]]=]
+  REPLACE [=[whole_distance[0] - u_v[0] - u_v[0]]=])
 
 graze_mutant(
   sign_of_zero_is_zero
@@ -46,13 +46,20 @@ graze_mutant(
   FIND [[t.discriminant_error = 24 *]]
   REPLACE [[t.discriminant_error = 0x1p-4 * 24 *]])
 
-# Too small by 2^4 it is caught too, but only after 200,000 cases.
+# Too small by 2^4 it is caught too, but not soon.
 graze_mutant(
   triangle_constant
   MODELS "the bound of a triangle's determinants too small by 2^6"
   FILE include/graze/predicates/triangle_filter.hpp
-  FIND [[triangle_error =]]
-  REPLACE [[triangle_error = 0x1p-6 *]])
+  FIND [[= triangle_error *]]
+  REPLACE [[= W(0x1p-6) * triangle_error *]])
+
+graze_mutant(
+  float_unit
+  MODELS "the filters in float bounded by a unit that is too small by 2^4"
+  FILE include/graze/numeric/filter.hpp
+  FIND [[W(0x1p-23)]]
+  REPLACE [[W(0x1p-27)]])
 
 graze_mutant(
   implicit_constant

@@ -14,7 +14,7 @@ namespace graze {
 namespace rounding {
 /// The roots that the verdict names, from double-double; exact where those are in doubt. Compiled in the library.
 template <Real T>
-[[nodiscard]] SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const predicates::SphereTerms& terms,
+[[nodiscard]] SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const predicates::SphereTerms<double>& terms,
                                  const predicates::SphereVerdict& verdict) noexcept;
 }  // namespace rounding
 
@@ -27,20 +27,16 @@ template <Real T>
 }  // namespace exact
 
 namespace predicates {
-/// Whether range and radius are such that the filter's verdict may be trusted.
-template <Real T>
-[[nodiscard]] inline bool is_plain(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
-  const bool has_sign = (numeric::bits_of(sphere.radius) & numeric::sign_bit<T>) != 0;
-  return !has_sign && (numeric::is_default_range(ray) || numeric::is_ordinary_range(ray));
-}
+/// `hits` where the filter in float is in doubt: the filter in double, then `exact`. Compiled in the library.
+[[nodiscard]] bool hits_in_double(const Ray<float>& ray, const Sphere<float>& sphere) noexcept;
 }  // namespace predicates
 
 /// Where the ray meets the sphere. The kind is exact, every number is correctly rounded, any input is answered; nothing is
 /// thrown, allocated or kept.
 template <Real T>
 [[nodiscard]] inline SphereHit<T> intersect(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
-  if (!predicates::is_plain(ray, sphere)) return exact::intersect(ray, sphere);
-  predicates::SphereTerms terms = predicates::sphere_terms(ray, sphere);
+  if (!predicates::is_plain<double>(ray, sphere)) return exact::intersect(ray, sphere);
+  predicates::SphereTerms<double> terms = predicates::sphere_terms<double>(ray, sphere);
   const predicates::SphereVerdict verdict = predicates::verdict(terms, ray, sphere);
   if (verdict.kind == SphereKind::miss) {
     SphereHit<T> hit;
@@ -54,10 +50,10 @@ template <Real T>
 /// Whether `intersect` would find a common point: false for a miss and for invalid input. Exact, and cheaper.
 template <Real T>
 [[nodiscard]] inline bool hits(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
-  if (!predicates::is_plain(ray, sphere)) return exact::hits(ray, sphere);
-  predicates::SphereTerms terms = predicates::sphere_terms(ray, sphere);
+  predicates::SphereTerms<T> terms = predicates::sphere_terms<T>(ray, sphere);
   const predicates::SphereVerdict verdict = predicates::verdict(terms, ray, sphere);
   if (verdict.kind != SphereKind::invalid) return verdict.kind == SphereKind::secant;
+  if constexpr (sizeof(T) < sizeof(double)) return predicates::hits_in_double(ray, sphere);
   return exact::hits(ray, sphere);
 }
 

@@ -15,7 +15,7 @@ namespace rounding {
 /// The numbers of a hit inside the face, from double-double; exact where those are in doubt. Compiled in the library.
 template <Real T>
 [[nodiscard]] TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle,
-                                  const predicates::TriangleTerms& terms) noexcept;
+                                  const predicates::TriangleTerms<double>& terms) noexcept;
 }  // namespace rounding
 
 namespace exact {
@@ -26,17 +26,22 @@ template <Real T>
 [[nodiscard]] bool hits(const Ray<T>& ray, const Triangle<T>& triangle) noexcept;
 }  // namespace exact
 
+namespace predicates {
+/// `hits` where the filter in float is in doubt: the filter in double, then `exact`. Compiled in the library.
+[[nodiscard]] bool hits_in_double(const Ray<float>& ray, const Triangle<float>& triangle) noexcept;
+}  // namespace predicates
+
 /// Where the ray meets the triangle. The kind is exact, every number is correctly rounded, any input is answered; nothing is
 /// thrown, allocated or kept.
 template <Real T>
 [[nodiscard]] inline TriangleHit<T> intersect(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   using predicates::TriangleVerdict;
-  if (!numeric::is_default_range(ray) && !numeric::is_ordinary_range(ray)) return exact::intersect(ray, triangle);
-  const predicates::TriangleTerms terms = predicates::triangle_terms(ray, triangle);
+  if (!numeric::is_default_range(ray) && !numeric::is_ordinary_range<double>(ray)) return exact::intersect(ray, triangle);
+  const predicates::TriangleTerms<double> terms = predicates::triangle_terms<double>(ray, triangle);
   const TriangleVerdict verdict = predicates::verdict(terms, ray);
   if (verdict == TriangleVerdict::miss) {
     TriangleHit<T> hit;
-    hit.facing = terms.determinant > 0 ? Facing::front : Facing::back;
+    hit.facing = terms.is_front ? Facing::front : Facing::back;
     return hit;
   }
   if (verdict == TriangleVerdict::face) return rounding::face(ray, triangle, terms);
@@ -47,9 +52,9 @@ template <Real T>
 template <Real T>
 [[nodiscard]] inline bool hits(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   using predicates::TriangleVerdict;
-  if (!numeric::is_default_range(ray) && !numeric::is_ordinary_range(ray)) return exact::hits(ray, triangle);
-  const TriangleVerdict verdict = predicates::verdict(predicates::triangle_terms(ray, triangle), ray);
+  const TriangleVerdict verdict = predicates::verdict(predicates::triangle_terms<T>(ray, triangle), ray);
   if (verdict != TriangleVerdict::uncertain) return verdict == TriangleVerdict::face;
+  if constexpr (sizeof(T) < sizeof(double)) return predicates::hits_in_double(ray, triangle);
   return exact::hits(ray, triangle);
 }
 

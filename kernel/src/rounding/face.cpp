@@ -20,30 +20,30 @@ struct Quotients {
 /// The error of n / d: (n_error + |q| d_error) / |d| to first order, and `division` |q| for the division itself. With d known
 /// to 2^-10, terms of second order are below 2^-8 of those. `relative` scales the errors of the terms to those of the
 /// determinants used.
-Quotients with_errors(const Lanes& hi, const Lanes& lo, double determinant, const TriangleTerms& terms, double relative,
+Quotients with_errors(const Lanes& hi, const Lanes& lo, double determinant, const TriangleTerms<double>& terms, double relative,
                       double division) noexcept {
   using numeric::magnitude;
   const double size = magnitude(determinant), scale = (1 + 0x1p-8) * relative / size;
   const auto error = [&](double q, double n_error) {
-    return (n_error + magnitude(q) * terms.determinant_error) * scale + magnitude(q) * division;
+    return (n_error + magnitude(q) * terms.error) * scale + magnitude(q) * division;
   };
   return {hi,
           lo,
           error(hi[0], terms.distance_error),
-          error(hi[1], terms.u_error),
-          error(hi[2], terms.v_error),
-          size > 0x1p10 * relative * terms.determinant_error};
+          error(hi[1], terms.error),
+          error(hi[2], terms.error),
+          size > 0x1p10 * relative * terms.error};
 }
 
-Quotients quotients(const Ray<float>&, const Triangle<float>&, const TriangleTerms& terms) noexcept {
-  const double d = terms.determinant;
+Quotients quotients(const Ray<float>&, const Triangle<float>&, const TriangleTerms<double>& terms) noexcept {
+  const double d = terms.whole;
   return with_errors(Lanes{terms.distance / d, terms.u / d, terms.v / d, 0}, Lanes{}, d, terms, 1, 0x1p-52);
 }
 
 /// The determinants of TriangleTerms in double-double: the differences are exact, a monomial passes through two products and
-/// four sums of at most 4 * 2^-106 each, so 6 * 7 * 4 * 2^-106 m in all; TriangleTerms' bounds are 44 * 2^-52 m, and 2^-50 of
-/// that is 4 times as much.
-Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleTerms& terms) noexcept {
+/// five sums, each within 4 * 2^-106 of it, so 28 * 2^-106 m in all; TriangleTerms' bounds are at least 10 * 2^-52 m, and 2^-50
+/// of that is more than 5 times as much.
+Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleTerms<double>& terms) noexcept {
   using namespace numeric;
   const Lanes a = lanes(triangle.a), d = lanes(ray.direction);
   const PairLanes e1 = two_difference(lanes(triangle.b), a), e2 = two_difference(lanes(triangle.c), a);
@@ -58,7 +58,7 @@ Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, co
 }  // namespace
 
 template <Real T>
-TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle, const TriangleTerms& terms) noexcept {
+TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle, const TriangleTerms<double>& terms) noexcept {
   if (!numeric::rounds_to_nearest()) return exact::intersect(ray, triangle);
   const Quotients q = quotients(ray, triangle, terms);
   TriangleHit<T> hit;
@@ -69,12 +69,12 @@ TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle, const Triang
   const bool is_certain = q.are_bounded & is_t_certain & is_u_certain & is_v_certain;
   if (!is_certain) return exact::intersect(ray, triangle);
   hit.kind = TriangleKind::face;
-  hit.facing = terms.determinant > 0 ? Facing::front : Facing::back;
+  hit.facing = terms.is_front ? Facing::front : Facing::back;
   hit.t_end = hit.t;
   return hit;
 }
 
-template TriangleHit<float> face(const Ray<float>&, const Triangle<float>&, const TriangleTerms&) noexcept;
-template TriangleHit<double> face(const Ray<double>&, const Triangle<double>&, const TriangleTerms&) noexcept;
+template TriangleHit<float> face(const Ray<float>&, const Triangle<float>&, const TriangleTerms<double>&) noexcept;
+template TriangleHit<double> face(const Ray<double>&, const Triangle<double>&, const TriangleTerms<double>&) noexcept;
 
 }  // namespace graze::rounding

@@ -19,14 +19,14 @@ struct Coefficients {
 };
 
 /// As they stand.
-Coefficients coefficients(const Ray<float>&, const Sphere<float>&, const SphereTerms& t) noexcept {
+Coefficients coefficients(const Ray<float>&, const Sphere<float>&, const SphereTerms<double>& t) noexcept {
   return {{t.a, 0}, {t.b, 0}, {t.c, 0}, {t.discriminant, 0}, 0x1p-49, t.c_error, t.discriminant_error};
 }
 
 /// In double-double, L exact: A, B and C are sums of a few products, each step within 4 * 2^-106 of its terms, so 2^-100 of the
 /// sums of magnitudes A, sqrt(A c_size), c_size is more than enough. D = B^2 - A C: B^2 <= A L.L, so every term is at most A
 /// c_size, and the errors add to less than 8 * 2^-100 A c_size.
-Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, const SphereTerms& t) noexcept {
+Coefficients coefficients(const Ray<double>& ray, const Sphere<double>& sphere, const SphereTerms<double>& t) noexcept {
   using namespace numeric;
   const Lanes d = lanes(ray.direction);
   // C = L.L - r^2 as one sum of four products.
@@ -50,7 +50,7 @@ Pair divide(const Pair& n, const Pair& d, double reciprocal) noexcept {
 
 /// With q = B + sgn+(B) sqrt(D), sgn+(0) = 1: q / A is the root farther from zero, C / q the nearer; nothing cancels.
 template <Real T>
-SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms& terms,
+SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms<double>& terms,
                    const SphereVerdict& verdict) noexcept {
   using numeric::magnitude;
   if (!numeric::rounds_to_nearest()) return exact::intersect(ray, sphere);
@@ -88,7 +88,9 @@ SphereHit<T> roots(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms
   return hit;
 }
 
-template SphereHit<float> roots(const Ray<float>&, const Sphere<float>&, const SphereTerms&, const SphereVerdict&) noexcept;
-template SphereHit<double> roots(const Ray<double>&, const Sphere<double>&, const SphereTerms&, const SphereVerdict&) noexcept;
+template SphereHit<float> roots(const Ray<float>&, const Sphere<float>&, const SphereTerms<double>&,
+                                const SphereVerdict&) noexcept;
+template SphereHit<double> roots(const Ray<double>&, const Sphere<double>&, const SphereTerms<double>&,
+                                 const SphereVerdict&) noexcept;
 
 }  // namespace graze::rounding

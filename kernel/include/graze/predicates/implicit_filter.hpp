@@ -48,10 +48,10 @@ template <Real T>
 template <Real T>
 [[nodiscard]] inline BoundedValue value(const Vec3<T>& p, const Sphere<T>& sphere) noexcept {
   using namespace numeric;
-  const Vector l = vector(p) - vector(sphere.center);
+  const Vector<double> l = vector<double>(p) - vector<double>(sphere.center);
   const auto r = static_cast<double>(sphere.radius);
   const double l2 = dot(l, l), r2 = r * r, s = magnitude_sum(l) + r;
-  const bool is_bounded = is_ordinary<T>(s, s) && (bits_of(sphere.radius) & sign_bit<T>) == 0;
+  const bool is_bounded = is_ordinary<double, T>(s, s) && (bits_of(sphere.radius) & sign_bit<T>) == 0;
   return {l2 - r2, is_bounded ? 7 * unit * (l2 + r2) : std::numeric_limits<double>::infinity()};
 }
 

@@ -8,10 +8,11 @@
 namespace graze::predicates {
 
 /// The coefficients of A t^2 - 2 B t + C, the discriminant D, and bounds of the errors of C and D.
+template <class W>
 struct SphereTerms {
-  double a, b, c, discriminant;
-  double c_size;  ///< L.L + r^2: |C| <= c_size, and |B| <= sqrt(A c_size) by Cauchy and Schwarz
-  double c_error, discriminant_error;
+  W a, b, c, discriminant;
+  W c_size;  ///< L.L + r^2: |C| <= c_size, and |B| <= sqrt(A c_size) by Cauchy and Schwarz
+  W c_error, discriminant_error;
   bool are_bounded;  ///< whether the bounds hold: no vector too long or too short
 };
 
@@ -22,22 +23,23 @@ struct SphereTerms {
 ///  - D: B^2 errs by 2 * 4 unit S + 1 unit S, A C by (3 + 6 + 1) unit S, the subtraction by 2 unit S: 21 unit S, 24 with slack.
 /// A and c_size in [low^2, high^2] keep every vector ordinary. A NaN or an infinity anywhere leaves A, c_size or D not
 /// ordinary.
-template <Real T>
-[[nodiscard]] inline SphereTerms sphere_terms(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
+/// W is the precision that is computed in, at least T's.
+template <class W, Real T>
+[[nodiscard]] inline SphereTerms<W> sphere_terms(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   using namespace numeric;
-  constexpr double low = Ordinary<T>::low * Ordinary<T>::low, high = Ordinary<T>::high * Ordinary<T>::high;
-  const Vector d = vector(ray.direction), l = vector(sphere.center) - vector(ray.origin);
-  const auto r = static_cast<double>(sphere.radius);
-  const double r2 = r * r, l2 = dot(l, l);
-  SphereTerms t;
+  constexpr W low = Ordinary<W, T>::low * Ordinary<W, T>::low, high = Ordinary<W, T>::high * Ordinary<W, T>::high;
+  const Vector<W> d = vector<W>(ray.direction), l = vector<W>(sphere.center) - vector<W>(ray.origin);
+  const auto r = static_cast<W>(sphere.radius);
+  const W r2 = r * r, l2 = dot(l, l);
+  SphereTerms<W> t;
   t.a = dot(d, d);
   t.b = dot(d, l);
   t.c = l2 - r2;
   t.c_size = l2 + r2;
   t.discriminant = t.b * t.b - t.a * t.c;
-  t.c_error = 7 * unit * t.c_size;
+  t.c_error = 7 * unit_of<W> * t.c_size;
   t.are_bounded = (t.a >= low) & (t.a <= high) & (t.c_size >= low) & (t.c_size <= high);
-  t.discriminant_error = 24 * unit * (t.a * t.c_size);
+  t.discriminant_error = 24 * unit_of<W> * (t.a * t.c_size);
   return t;
 }
 
@@ -45,9 +47,9 @@ template <Real T>
 /// 3 roundings, in magnitude at most |d||L| together: x = 3 unit sqrt(S), 4 with slack; |X|^2 errs by 2 x |X|_1 + 3 x^2 and by
 /// 3 unit in its squares and sums, A r^2 by 5 unit, the subtraction by 1: 7 unit with slack.
 template <Real T>
-inline void refine_discriminant(SphereTerms& t, const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
+inline void refine_discriminant(SphereTerms<double>& t, const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   using namespace numeric;
-  const Vector x = cross(vector(ray.direction), vector(sphere.center) - vector(ray.origin));
+  const Vector<double> x = cross(vector<double>(ray.direction), vector<double>(sphere.center) - vector<double>(ray.origin));
   const auto r = static_cast<double>(sphere.radius);
   const double x2 = dot(x, x), ar2 = t.a * (r * r), sum = magnitude(x.x) + magnitude(x.y) + magnitude(x.z);
   const double x_error = 4 * unit * __builtin_sqrt(t.a * t.c_size);
@@ -61,19 +63,20 @@ enum class Place { before, between, after, uncertain };
 /// By the signs of f = A x^2 - 2 B x + C and g = A x - B, for x = 0 or ordinary. With b = sqrt(A c_size) >= |B|, B errs by 4
 /// unit b, A by 3 unit, C by c_error, and each form is rounded at most 4 times more: 16 unit of the sum of magnitudes covers
 /// it.
-[[nodiscard]] inline Place place_of(double x, const SphereTerms& t) noexcept {
+template <class W>
+[[nodiscard]] inline Place place_of(W x, const SphereTerms<W>& t) noexcept {
   using numeric::magnitude;
-  const double ax = t.a * x, f = (ax - 2 * t.b) * x + t.c, g = ax - t.b;
-  const double size = magnitude(x), ax_size = t.a * size, b_size = __builtin_sqrt(t.a * t.c_size);
-  const double g_error = 16 * numeric::unit * (ax_size + b_size);
-  const double f_error = 16 * numeric::unit * ((ax_size + 2 * b_size) * size + t.c_size);
+  const W ax = t.a * x, f = (ax - 2 * t.b) * x + t.c, g = ax - t.b;
+  const W size = magnitude(x), ax_size = t.a * size, b_size = numeric::square_root(t.a * t.c_size);
+  const W g_error = 16 * numeric::unit_of<W> * (ax_size + b_size);
+  const W f_error = 16 * numeric::unit_of<W> * ((ax_size + 2 * b_size) * size + t.c_size);
   if (f < -f_error) return Place::between;
   if (!(f > f_error)) return Place::uncertain;
   return g < -g_error ? Place::before : g > g_error ? Place::after : Place::uncertain;
 }
 
-/// What the filter can tell. A verdict other than `invalid`, which stands for uncertain, vouches that all is valid but the
-/// radius's sign.
+/// What the filter can tell. A verdict other than `invalid`, which stands for uncertain, vouches that the input is valid, but
+/// for the range and the radius's sign where it is `miss`.
 struct SphereVerdict {
   SphereKind kind;  ///< miss, secant, or invalid
   Root root;
@@ -87,9 +90,16 @@ inline constexpr SphereVerdict uncertain_sphere{SphereKind::invalid, Root::none,
   return {SphereKind::secant, first && second ? Root::both : first ? Root::first : Root::second, origin};
 }
 
-/// The verdict where there are two roots. The ray's range must be the default one or ordinary.
-template <Real T>
-[[nodiscard]] inline SphereVerdict verdict_of_secant(const SphereTerms& t, const Ray<T>& ray) noexcept {
+/// Whether range and radius are such that the filter's verdict may be trusted.
+template <class W, Real T>
+[[nodiscard]] inline bool is_plain(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
+  const bool has_sign = (numeric::bits_of(sphere.radius) & numeric::sign_bit<T>) != 0;
+  return !has_sign && (numeric::is_default_range(ray) || numeric::is_ordinary_range<W>(ray));
+}
+
+/// The verdict where there are two roots.
+template <class W, Real T>
+[[nodiscard]] inline SphereVerdict verdict_of_secant(const SphereTerms<W>& t, const Ray<T>& ray) noexcept {
   using numeric::magnitude_bits;
   if (!(numeric::magnitude(t.c) > t.c_error)) return uncertain_sphere;
   // Where C > 0 it exceeds unit / 2 of c_size, so B^2 > A C > unit / 2 S: B is far from zero, and its computed sign right.
@@ -97,7 +107,7 @@ template <Real T>
   const OriginSide origin = is_inside ? OriginSide::inside : OriginSide::outside;
   if (numeric::is_default_range(ray)) return verdict_of_roots(!is_inside && is_ahead, is_inside || is_ahead, origin);
   const auto place = [&](T x) {
-    if (magnitude_bits(x) != 0) return place_of(static_cast<double>(x), t);
+    if (magnitude_bits(x) != 0) return place_of(static_cast<W>(x), t);
     return is_inside ? Place::between : is_ahead ? Place::before : Place::after;
   };
   const Place from = place(ray.t_min), to = numeric::is_finite(ray.t_max) ? place(ray.t_max) : Place::after;
@@ -105,17 +115,18 @@ template <Real T>
   return verdict_of_roots(from == Place::before && to != Place::before, from != Place::after && to == Place::after, origin);
 }
 
-template <Real T>
-[[nodiscard]] inline SphereVerdict verdict(SphereTerms& t, const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
+/// In double, a discriminant in doubt is refined; in float that is left to the filter in double.
+template <class W, Real T>
+[[nodiscard]] inline SphereVerdict verdict(SphereTerms<W>& t, const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   using numeric::magnitude;
   if (!(t.are_bounded & (magnitude(t.discriminant) > t.discriminant_error))) [[unlikely]] {
-    if (!t.are_bounded) return uncertain_sphere;
-    refine_discriminant(t, ray, sphere);
+    if (sizeof(W) < sizeof(double) || !t.are_bounded) return uncertain_sphere;
+    if constexpr (sizeof(W) == sizeof(double)) refine_discriminant(t, ray, sphere);
     if (!(magnitude(t.discriminant) > t.discriminant_error)) return uncertain_sphere;
   }
   // No root: A C > B^2, so the origin is outside.
   if (t.discriminant < 0) return {SphereKind::miss, Root::none, OriginSide::outside};
-  return verdict_of_secant(t, ray);
+  return is_plain<W>(ray, sphere) ? verdict_of_secant(t, ray) : uncertain_sphere;
 }
 
 }  // namespace graze::predicates

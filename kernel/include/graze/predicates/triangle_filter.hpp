@@ -5,40 +5,60 @@
 #pragma once
 
 #include "graze/numeric/filter.hpp"
+#include "graze/numeric/two_lanes.hpp"
 
 namespace graze::predicates {
 
-/// The four determinants and bounds of their errors.
+/// The four determinants, all with the sign of `determinant` taken out, and bounds of their errors.
 ///
 /// Each is a sum of six monomials xyz in components of three vectors, together at most m, the product of their sums of
-/// magnitudes. A monomial is rounded at most 7 times: two differences, two products, one subtraction, two sums. So the error is
-/// at most
-/// ((1 + unit)^7 - 1) m < 7.001 unit m. The vectors in m are rounded differences, m itself is rounded 8 times: 8 unit m covers
-/// that, and underflow (see numeric/filter.hpp). A NaN or an infinity in a vector makes its sum not ordinary.
+/// magnitudes |.|. A monomial is rounded at most 7 times: two differences, two products, one subtraction, two sums. So the
+/// error is at most ((1 + unit)^7 - 1) m < 7.001 unit m, and w = whole - u - v, rounded twice more, errs by less than 9.02 unit
+/// of the three m together. With s = |E1| + |E2| and r = |T| + s that is 9.02 unit |d| (|E1||E2| + |T| s) < 9.02 unit |d| s r,
+/// which bounds each of the four; the distance's m = |T||E1||E2| < s s r. 10 unit covers the rounding of the bounds themselves
+/// (13 unit) and underflow (see numeric/filter.hpp). A NaN or an infinity in a vector makes a sum not ordinary.
+template <class W>
 struct TriangleTerms {
-  double determinant, u, v, distance;
-  double determinant_error, u_error, v_error, distance_error;
-  /// Whether the bounds hold: no vector too long or too short.
-  bool are_bounded;
+  W whole, u, v, w, distance;
+  W error;           ///< of whole, u, v and w
+  W distance_error;  ///< of the distance
+  bool is_front;     ///< d.n < 0
+  bool are_bounded;  ///< whether the bounds hold: no vector too long or too short
 };
 
-inline constexpr double triangle_error = 8 * numeric::unit;
+inline constexpr int triangle_error = 10;
 
-template <Real T>
-[[nodiscard]] inline TriangleTerms triangle_terms(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
+/// W is the precision that is computed in, at least T's.
+template <class W, Real T>
+[[nodiscard]] inline TriangleTerms<W> triangle_terms(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   using namespace numeric;
-  const Vector a = vector(triangle.a), d = vector(ray.direction);
-  const Vector e1 = vector(triangle.b) - a, e2 = vector(triangle.c) - a, from_a = vector(ray.origin) - a;
-  const Vector h = cross(d, e2), g = cross(from_a, e1);
-  const double nd = magnitude_sum(d), n1 = magnitude_sum(e1), n2 = magnitude_sum(e2), nt = magnitude_sum(from_a);
-  const double k2 = triangle_error * n2, k1 = triangle_error * n1, dt = nd * nt;
+  using Two = TwoLanes<W>;
+  const auto& [e, d, t_min, t_max] = ray;
+  const auto& [a, b, c] = triangle;
+  const Two ax = both(W(a.x)), ay = both(W(a.y)), az = both(W(a.z));
+  // T and d in two lanes, E1 and E2 in two.
+  const Two px = subtract_first(two_lanes(W(e.x), W(d.x)), ax), qx = two_lanes(W(b.x), W(c.x)) - ax;
+  const Two py = subtract_first(two_lanes(W(e.y), W(d.y)), ay), qy = two_lanes(W(b.y), W(c.y)) - ay;
+  const Two pz = subtract_first(two_lanes(W(e.z), W(d.z)), az), qz = two_lanes(W(b.z), W(c.z)) - az;
+  // H and G.
+  const Two x = swapped(multiply_add(py, qz, -(pz * qy)));
+  const Two y = swapped(multiply_add(pz, qx, -(px * qz)));
+  const Two z = swapped(multiply_add(px, qy, -(py * qx)));
+  const Two signed_whole_distance = multiply_add(qx, x, multiply_add(qy, y, qz * z));
+  const Two signed_u_v = multiply_add(px, x, multiply_add(py, y, pz * z));
+  const auto sign = first_sign_in_both<W>(signed_whole_distance);
+  const Two whole_distance = flipped<W>(signed_whole_distance, sign), u_v = flipped<W>(signed_u_v, sign);
+
+  const Two p = magnitudes_of<W>(px) + magnitudes_of<W>(py) + magnitudes_of<W>(pz);
+  const Two q = magnitudes_of<W>(qx) + magnitudes_of<W>(qy) + magnitudes_of<W>(qz);
+  const W along = p[1], s = q[0] + q[1], r = p[0] + s, scale = triangle_error * unit_of<W> * (s * r);
   // A sum, not a maximum, against `high`: it is NaN where one of them is.
-  return {dot(e1, h), dot(from_a, h), dot(d, g),
-          dot(e2, g), k2 * (nd * n1), k2 * dt,
-          k1 * dt,    k2 * (nt * n1), is_ordinary<T>(min(min(nd, nt), min(n1, n2)), nd + nt + n1 + n2)};
+  return {whole_distance[0], u_v[0],    u_v[1],       whole_distance[0] - u_v[0] - u_v[1],        whole_distance[1],
+          scale * along,     scale * s, sign[0] == 0, is_ordinary<W, T>(min(s, along), along + r)};
 }
 
-/// What the filter can tell. A verdict other than `uncertain` also vouches that the input is valid, but for its range.
+/// What the filter can tell. A verdict other than `uncertain` also vouches that the input is valid, but for the range where it
+/// is `miss`.
 enum class TriangleVerdict { miss, face, uncertain };
 
 /// Where the distance lies against a bound x of the range: t > x where distance - x whole > 0. The product and the difference
@@ -47,35 +67,31 @@ struct BoundTest {
   bool above, below;
 };
 
-[[nodiscard]] inline BoundTest test_bound(double x, double whole, double distance, const TriangleTerms& terms) noexcept {
-  const double f = distance - x * whole;
-  const double error = 1.25 * (terms.distance_error + numeric::magnitude(x) * terms.determinant_error);
+template <class W>
+[[nodiscard]] inline BoundTest test_bound(W x, const TriangleTerms<W>& terms) noexcept {
+  const W f = terms.distance - x * terms.whole;
+  const W error = W(1.25) * (terms.distance_error + numeric::magnitude(x) * terms.error);
   return {f > error, f < -error};
 }
 
-/// The ray's range must be the default one or ordinary.
-template <Real T>
-[[nodiscard]] inline TriangleVerdict verdict(const TriangleTerms& terms, const Ray<T>& ray) noexcept {
-  const double sign = __builtin_copysign(1.0, terms.determinant);
-  const double whole = terms.determinant * sign, u = terms.u * sign, v = terms.v * sign, distance = terms.distance * sign;
-  if (!(terms.are_bounded & (whole > terms.determinant_error))) return TriangleVerdict::uncertain;
-
-  // The subtractions err by at most 2 unit (whole + |u| + |v|), less than a quarter of the bounds' sum.
-  const double w = whole - u - v, w_error = 1.25 * (terms.determinant_error + terms.u_error + terms.v_error);
+template <class W, Real T>
+[[nodiscard]] inline TriangleVerdict verdict(const TriangleTerms<W>& terms, const Ray<T>& ray) noexcept {
+  const W least = numeric::min(numeric::min(terms.u, terms.v), terms.w);
+  if (!(terms.are_bounded & (terms.whole > terms.error))) return TriangleVerdict::uncertain;
   // One branch: a random ray's signs, tested one by one, are mispredicted, which costs more than they save.
-  if ((u < -terms.u_error) | (v < -terms.v_error) | (w < -w_error)) return TriangleVerdict::miss;
+  if (least < -terms.error) return TriangleVerdict::miss;
 
-  BoundTest from{distance > terms.distance_error, distance < -terms.distance_error};
+  BoundTest from{terms.distance > terms.distance_error, terms.distance < -terms.distance_error};
   if (!numeric::is_default_range(ray)) {
-    from = test_bound(static_cast<double>(ray.t_min), whole, distance, terms);
+    if (!numeric::is_ordinary_range<W>(ray)) return TriangleVerdict::uncertain;
+    from = test_bound(static_cast<W>(ray.t_min), terms);
     if (numeric::is_finite(ray.t_max)) {
-      const BoundTest to = test_bound(static_cast<double>(ray.t_max), whole, distance, terms);
+      const BoundTest to = test_bound(static_cast<W>(ray.t_max), terms);
       from = {from.above && to.below, from.below || to.above};
     }
   }
   if (from.below) return TriangleVerdict::miss;
-  const bool is_inside = (u > terms.u_error) & (v > terms.v_error) & (w > w_error);
-  return (is_inside & from.above) ? TriangleVerdict::face : TriangleVerdict::uncertain;
+  return ((least > terms.error) & from.above) ? TriangleVerdict::face : TriangleVerdict::uncertain;
 }
 
 }  // namespace graze::predicates
