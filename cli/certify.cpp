@@ -15,6 +15,8 @@
 #include "cli/report_file.hpp"
 #include "fuzz/report/merge.hpp"
 #include "fuzz/report/numbers.hpp"
+#include "fuzz/report/page.hpp"
+#include "fuzz/report/side_by_side.hpp"
 #include "fuzz/report/text.hpp"
 
 namespace graze::cli {
@@ -23,6 +25,7 @@ namespace {
 struct Options {
   std::string kernel = "graze";
   CampaignOptions campaign;
+  std::vector<std::string> compared;
   std::string shard;
   bool resume = false;
   Outputs outputs;
@@ -55,44 +58,93 @@ std::string resume(const std::string& file, fuzz::Report& report) {
   return {};
 }
 
-int run(const Options& options) {
-  const fuzz::Subject* kernel = fuzz::find_subject(options.kernel);
-  if (kernel == nullptr) return refuse("no kernel is named '" + options.kernel + "'; there are: " + kernel_names());
-  const auto shard = options.shard.empty() ? fuzz::Shard() : fuzz::parse_shard(options.shard);
-  if (!shard) return refuse("--shard " + options.shard + ": is no shard; 1/4 to 4/4 are the four of four");
-  if (options.resume && options.outputs.json.empty())
-    return refuse("--resume goes on from the file of --json, which is not given");
-  fuzz::Campaign campaign;
-  if (const std::string wrong = fill(campaign, options.campaign); !wrong.empty()) return refuse(wrong);
+/// Judges what the report lacks. Told where it may be saved, it is, as it grows.
+void judge(const fuzz::Plan& plan, const fuzz::Judges& judges, const fuzz::Shard& shard, fuzz::Report& report,
+           const std::string& saved) {
+  fuzz::Progress progress;
+  progress.stop = &interrupted;
+  fuzz::Ledger ledger(report.rows);
+  {
+    const ProgressLine line(progress);
+    // A save that fails is told by the last one.
+    const Saver saver([&saved, &ledger, part = report]() mutable {
+      part.rows = ledger.rows();
+      (void)write_outputs({saved}, part);
+    });
+    run(plan, judges, shard, ledger, progress);
+  }
+  report.rows = ledger.rows();
+}
 
-  const fuzz::Judges judges{*kernel, oracle::gmp_oracle(), oracle::cgal_oracle(), options.campaign.second_oracle_every};
-  const fuzz::Plan plan(campaign);
-  fuzz::Report report = fuzz::blank_report(campaign, plan, judges, *shard);
+/// Which kernels are judged, on what, and how.
+struct Setting {
+  std::vector<const fuzz::Subject*> kernels;
+  fuzz::Campaign campaign;
+  std::uint64_t second_oracle_every = 0;
+
+  [[nodiscard]] fuzz::Judges judges(const fuzz::Subject& kernel) const {
+    return {kernel, oracle::gmp_oracle(), oracle::cgal_oracle(), second_oracle_every};
+  }
+};
+
+/// One kernel, in whole or in part.
+int certify(const Setting& setting, const fuzz::Plan& plan, const Options& options, const fuzz::Shard& shard) {
+  const auto start = std::chrono::steady_clock::now();
+  const fuzz::Judges judges = setting.judges(*setting.kernels.front());
+  fuzz::Report report = fuzz::blank_report(setting.campaign, plan, judges, shard);
   if (options.resume) {
     if (const std::string wrong = resume(options.outputs.json, report); !wrong.empty()) return refuse(wrong);
   }
   if (const std::string wrong = write_outputs(options.outputs, report); !wrong.empty()) return refuse(wrong);
-
-  fuzz::Progress progress;
-  progress.stop = &interrupted;
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-  fuzz::Ledger ledger(report.rows);
-  const auto start = std::chrono::steady_clock::now();
-  {
-    const ProgressLine line(progress);
-    // A save that fails is told by the last one.
-    const Saver saver([&options, &ledger, part = report]() mutable {
-      part.rows = ledger.rows();
-      (void)write_outputs({options.outputs.json}, part);
-    });
-    run(plan, judges, *shard, ledger, progress);
-  }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  report.rows = ledger.rows();
-  print(report, seconds.count(), std::cout);
+  judge(plan, judges, shard, report, options.outputs.json);
+  print(report, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), std::cout);
   if (const std::string wrong = write_outputs(options.outputs, report); !wrong.empty()) return refuse(wrong);
   return exit_status(report);
+}
+
+/// Several kernels side by side: 1 where any is wrong.
+int compare(const Setting& setting, const fuzz::Plan& plan, const std::string& html) {
+  std::vector<fuzz::Report> reports;
+  int status = exit_well;
+  const auto write = [&] { return html.empty() ? std::string() : write_file(html, fuzz::comparison_page(reports)); };
+  for (const fuzz::Subject* kernel : setting.kernels) {
+    reports.push_back(fuzz::blank_report(setting.campaign, plan, setting.judges(*kernel), {}));
+  }
+  if (const std::string wrong = write(); !wrong.empty()) return refuse(wrong);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    judge(plan, setting.judges(*setting.kernels[i]), {}, reports[i], {});
+    // Wrong outweighs interrupted.
+    const int one = exit_status(reports[i]);
+    if (status != exit_found_wrong && one != exit_well) status = one;
+  }
+  print_side_by_side(reports, std::cout);
+  if (const std::string wrong = write(); !wrong.empty()) return refuse(wrong);
+  return status;
+}
+
+int run(const Options& options) {
+  Setting setting;
+  setting.second_oracle_every = options.campaign.second_oracle_every;
+  std::vector<std::string> names = options.compared;
+  if (names == std::vector<std::string>{"all"}) {
+    names.clear();
+    for (const fuzz::Subject* kernel : fuzz::subjects()) names.emplace_back(kernel->name());
+  }
+  if (names.empty()) names.push_back(options.kernel);
+  for (const std::string& name : names) {
+    const fuzz::Subject* kernel = fuzz::find_subject(name);
+    if (kernel == nullptr) return refuse("no kernel is named '" + name + "'; there are: " + kernel_names());
+    setting.kernels.push_back(kernel);
+  }
+  const auto shard = options.shard.empty() ? fuzz::Shard() : fuzz::parse_shard(options.shard);
+  if (!shard) return refuse("--shard " + options.shard + ": is no shard; 1/4 to 4/4 are the four of four");
+  if (options.resume && options.outputs.json.empty())
+    return refuse("--resume goes on from the file of --json, which is not given");
+  if (const std::string wrong = fill(setting.campaign, options.campaign); !wrong.empty()) return refuse(wrong);
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  const fuzz::Plan plan(setting.campaign);
+  return options.compared.empty() ? certify(setting, plan, options, *shard) : compare(setting, plan, options.outputs.html);
 }
 
 }  // namespace
@@ -100,12 +152,15 @@ int run(const Options& options) {
 void add_certify(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("certify", "Hold a kernel against the exact oracles on inputs that break kernels");
   const auto options = std::make_shared<Options>();
-  command->add_option("--kernel", options->kernel, "which kernel (default graze): " + kernel_names());
+  CLI::Option* kernel = command->add_option("--kernel", options->kernel, "which kernel (default graze): " + kernel_names());
   add_options(*command, options->campaign);
-  command->add_option("--shard", options->shard, "only the i-th of N equal shares, for `graze merge`")->type_name("i/N");
-  command->add_flag("--resume", options->resume, "go on from what the file of --json holds, if there is one");
-  command->add_option("--json", options->outputs.json, "write the whole report here too, and what is done every 2 seconds")
-      ->type_name("FILE");
+  CLI::Option* compare =
+      command->add_option("--compare", options->compared, "several kernels side by side, `all` for all that are built in");
+  const auto alone = [compare](CLI::Option* option) { option->excludes(compare); };
+  alone(kernel);
+  alone(command->add_option("--shard", options->shard, "only the i-th of N equal shares, for `graze merge`")->type_name("i/N"));
+  alone(command->add_flag("--resume", options->resume, "go on from what the file of --json holds, if there is one"));
+  add_outputs(*command, options->outputs, compare);
   std::string families;
   for (const fuzz::Family& f : fuzz::families()) families += "  " + std::string(f.name) + ": " + std::string(f.attacks) + "\n";
   command->footer("Families:\n" + families + "Exit status: 0 nothing is wrong, 1 something is, 2 usage or input error.");

@@ -61,7 +61,7 @@ void add_merge(CLI::App& program, int& status) {
   const auto options = std::make_shared<Options>();
   command->add_option("FILES", options->files, "reports that `graze certify --json` wrote, of one campaign, in any order")
       ->required();
-  command->add_option("-o,--json", options->outputs.json, "write the whole report here")->type_name("FILE");
+  add_outputs(*command, options->outputs);
   command->add_flag("--partial", options->partial, "merge even where shards or cases are missing");
   command->footer(
       "The same cases in two files must have come out the same, and count once. Nothing missing, the report is byte for byte\n"

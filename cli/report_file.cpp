@@ -10,6 +10,8 @@
 
 #include "cli/exit_status.hpp"
 #include "fuzz/report/json.hpp"
+#include "fuzz/report/junit.hpp"
+#include "fuzz/report/page.hpp"
 
 namespace graze::cli {
 namespace {
@@ -46,11 +48,26 @@ std::variant<fuzz::Report, std::string> read_report(const std::string& file) {
 }
 
 std::string json_text(const fuzz::Report& report) {
-  return fuzz::to_json(report).dump(2) + '\n';
+  return fuzz::to_json(report).dump(2, ' ', false, fuzz::Json::error_handler_t::replace) + '\n';
+}
+
+void add_outputs(CLI::App& command, Outputs& outputs, CLI::Option* not_with) {
+  CLI::Option* json =
+      command.add_option("-o,--json", outputs.json, "write the whole report here too, for `graze merge` and other programs");
+  CLI::Option* html = command.add_option("--html", outputs.html, "write it as a page here");
+  CLI::Option* junit = command.add_option("--junit", outputs.junit, "write it as JUnit XML here, a test case a row");
+  for (CLI::Option* option : {json, html, junit}) option->type_name("FILE");
+  if (not_with == nullptr) return;
+  json->excludes(not_with);
+  junit->excludes(not_with);
 }
 
 std::string write_outputs(const Outputs& outputs, const fuzz::Report& report) {
-  return outputs.json.empty() ? std::string() : write_file(outputs.json, json_text(report));
+  std::string wrong;
+  if (!outputs.json.empty()) wrong = write_file(outputs.json, json_text(report));
+  if (wrong.empty() && !outputs.html.empty()) wrong = write_file(outputs.html, fuzz::page(report));
+  if (wrong.empty() && !outputs.junit.empty()) wrong = write_file(outputs.junit, fuzz::junit(report));
+  return wrong;
 }
 
 Saver::Saver(std::function<void()> save) {

@@ -1,6 +1,7 @@
 // Reports on disk.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -25,8 +26,10 @@ namespace graze::cli {
 
 /// Where a command writes its report besides standard output; empty: nowhere.
 struct Outputs {
-  std::string json;
+  std::string json, html, junit;
 };
+/// `not_with`, where given, excludes what makes no sense beside it.
+void add_outputs(CLI::App& command, Outputs& outputs, CLI::Option* not_with = nullptr);
 [[nodiscard]] std::string write_outputs(const Outputs& outputs, const fuzz::Report& report);
 
 /// Calls `save` at intervals, from a thread of its own, while it lives.

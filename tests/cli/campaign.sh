@@ -107,6 +107,38 @@ run merge 1.json late.json 3.json -o merged.json
 certify --json whole.json
 cmp -s merged.json whole.json || fail "late shards are shards"
 
+# Other forms of the same report: by the run and by the merge, the same bytes.
+certify --html run.html --junit run.xml
+expect_like "a page and a JUnit file" 1 out "FAIL  cramer: "
+run merge 1.json 2.json 3.json --html merged.html --junit merged.xml
+cmp -s run.html merged.html || fail "the page of the merged report is the run's"
+cmp -s run.xml merged.xml || fail "the JUnit file of the merged report is the run's"
+grep -q '<title>graze certify: cramer</title>' run.html || fail "a page"
+if python3 -c 'import xml.etree.ElementTree' 2>/dev/null; then
+  cases=$(python3 -c 'import sys, xml.etree.ElementTree as t
+print(len(t.parse(sys.argv[1]).findall("testsuite/testcase/failure")))' run.xml)
+  [ "$cases" = 6 ] || fail "JUnit XML has a failure a row"
+else
+  echo "left out: no python3 to read XML"
+fi
+certify --html no/such/folder.html
+expect_like "a page that cannot be written" 2 err "no/such/folder.html: cannot be written"
+
+# Side by side.
+run certify --compare graze cramer --families fan,random --cases 100 --html both.html </dev/null
+expect_like "one of two is wrong" 1 out "cramer"
+[ "$(sed -n 's/^\(graze\|cramer\)  *\([a-z]*\) .*/\2/p' out | tr '\n' ' ')" = "pass fail " ] || fail "both verdicts in one table"
+grep -q '^fan  *double  *0 %, <= 0.5 ' out || fail "families against kernels"
+run certify --compare graze --families fan --cases 100 </dev/null
+expect_like "all are right" 0 out "pass"
+run certify --compare graze nonesuch </dev/null
+expect_like "an unknown kernel to compare" 2 err "no kernel is named 'nonesuch'"
+for option in '--json x' '--junit x' '--shard 1/2' '--resume' '--kernel graze'; do
+  # shellcheck disable=SC2086
+  run certify --compare graze $option </dev/null
+  expect_like "--compare with $option" 2 err " excludes --"
+done
+
 # The progress line: on a terminal, and nowhere else.
 if command -v script >/dev/null 2>&1; then
   # shellcheck disable=SC2086
