@@ -43,8 +43,8 @@ graze_mutant(
   filter_constant
   MODELS "the bound of the discriminant's error too small by 2^4"
   FILE include/graze/predicates/sphere_filter.hpp
-  FIND [[t.discriminant_error = 24 *]]
-  REPLACE [[t.discriminant_error = 0x1p-4 * 24 *]])
+  FIND [[= sphere_discriminant_error *]]
+  REPLACE [[= W(0x1p-4) * sphere_discriminant_error *]])
 
 # Too small by 2^4 it is caught too, but not soon.
 graze_mutant(
@@ -65,8 +65,8 @@ graze_mutant(
   implicit_constant
   MODELS "the bound of a plane's error too small by 2^4"
   FILE include/graze/predicates/implicit_filter.hpp
-  FIND [[5 * numeric::unit * size]]
-  REPLACE [[0x1p-4 * 5 * numeric::unit * size]])
+  FIND [[plane_error * numeric]]
+  REPLACE [[0x1p-4 * plane_error * numeric]])
 
 graze_mutant(
   slack_too_small

@@ -5,11 +5,12 @@
 // The bounds hold in every rounding mode, with flush-to-zero and denormals-are-zero, and where the compiler contracts to FMA or
 // keeps excess precision:
 //  - one operation errs by at most unit = 2^-52 relative (2^-53 to nearest, twice that in directed modes; in float 2^-23),
-//    contraction and excess precision only err less;
+//    also where it is contracted or has excess precision;
 //  - an operation that underflows, or an input that is read as zero, errs by at most 2^-1022 (2^-126 for a float) more.
-//    Each filter asks that its vectors' sizes lie in [low, high] of `Ordinary`; then such errors are below 2^-70 of the bound's
-//    terms (in float, 2^-26), which the constants' slack pays for, and nothing overflows;
+//    Each filter asks that its vectors' sizes lie in [low, high] of `Ordinary`; then such errors are below 2^-80 of the bound's
+//    terms (in float, 2^-39), which the constants' slack pays for, and nothing overflows;
 //  - comparisons with NaN are false, and every test is written so that false means uncertain.
+// Each constant is proven in kernel/proofs, this model in rounding.g, and held equal to the one there by a test.
 #pragma once
 
 #include <cstdint>

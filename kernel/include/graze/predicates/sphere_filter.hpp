@@ -16,11 +16,13 @@ struct SphereTerms {
   bool are_bounded;  ///< whether the bounds hold: no vector too long or too short
 };
 
-/// The errors, with unit as in numeric/filter.hpp and S = A c_size:
-///  - A is rounded 3 times (a product, two sums); L.L twice more, in L; r^2 once; C once more: |C error| <= 6 unit c_size, 7
-///  with slack;
-///  - B: monomials d L of 4 roundings, so at most 4 unit |d||L| <= 4 unit sqrt(S);
-///  - D: B^2 errs by 2 * 4 unit S + 1 unit S, A C by (3 + 6 + 1) unit S, the subtraction by 2 unit S: 21 unit S, 24 with slack.
+// The errors in units as in numeric/filter.hpp, with S = A c_size (kernel/proofs/sphere_filter.g):
+//  - A is rounded 3 times (a product, two sums); L.L twice more, in L; r^2 once; C once more: |C error| <= 6 unit c_size, 7
+//  with slack;
+//  - B: monomials d L of 4 roundings, so at most 4 unit |d||L| <= 4 unit sqrt(S);
+//  - D: B^2 errs by 2 * 4 unit S + 1 unit S, A C by (3 + 6 + 1) unit S, the subtraction by 2 unit S: 21 unit S, 24 with slack.
+inline constexpr int sphere_c_error = 7, sphere_discriminant_error = 24;
+
 /// A and c_size in [low^2, high^2] keep every vector ordinary. A NaN or an infinity anywhere leaves A, c_size or D not
 /// ordinary.
 /// W is the precision that is computed in, at least T's.
@@ -37,39 +39,44 @@ template <class W, Real T>
   t.c = l2 - r2;
   t.c_size = l2 + r2;
   t.discriminant = t.b * t.b - t.a * t.c;
-  t.c_error = 7 * unit_of<W> * t.c_size;
+  t.c_error = sphere_c_error * unit_of<W> * t.c_size;
   t.are_bounded = (t.a >= low) & (t.a <= high) & (t.c_size >= low) & (t.c_size <= high);
-  t.discriminant_error = 24 * unit_of<W> * (t.a * t.c_size);
+  t.discriminant_error = sphere_discriminant_error * unit_of<W> * (t.a * t.c_size);
   return t;
 }
 
-/// The discriminant by the perpendicular, for what the first form leaves in doubt. A component X of d x L has two monomials of
-/// 3 roundings, in magnitude at most |d||L| together: x = 3 unit sqrt(S), 4 with slack; |X|^2 errs by 2 x |X|_1 + 3 x^2 and by
-/// 3 unit in its squares and sums, A r^2 by 5 unit, the subtraction by 1: 7 unit with slack.
+// A component X of d x L has two monomials of 3 roundings, in magnitude at most |d||L| together: x = 3 unit sqrt(S), 4 with
+// slack; |X|^2 errs by 2 x |X|_1 + 3 x^2 and by 3 unit in its squares and sums, A r^2 by 5 unit, the subtraction by 1: 7 unit
+// with slack.
+inline constexpr int sphere_perpendicular_error = 4, sphere_refined_error = 7;
+
+/// The discriminant by the perpendicular, for what the first form leaves in doubt.
 template <Real T>
 inline void refine_discriminant(SphereTerms<double>& t, const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   using namespace numeric;
   const Vector<double> x = cross(vector<double>(ray.direction), vector<double>(sphere.center) - vector<double>(ray.origin));
   const auto r = static_cast<double>(sphere.radius);
   const double x2 = dot(x, x), ar2 = t.a * (r * r), sum = magnitude(x.x) + magnitude(x.y) + magnitude(x.z);
-  const double x_error = 4 * unit * __builtin_sqrt(t.a * t.c_size);
+  const double x_error = sphere_perpendicular_error * unit * __builtin_sqrt(t.a * t.c_size);
   t.discriminant = ar2 - x2;
-  t.discriminant_error = 7 * unit * (ar2 + x2) + x_error * (2 * sum + 3 * x_error);
+  t.discriminant_error = sphere_refined_error * unit * (ar2 + x2) + x_error * (2 * sum + 3 * x_error);
 }
 
 /// Where a number x lies against the roots t1 < t2.
 enum class Place { before, between, after, uncertain };
 
-/// By the signs of f = A x^2 - 2 B x + C and g = A x - B, for x = 0 or ordinary. With b = sqrt(A c_size) >= |B|, B errs by 4
-/// unit b, A by 3 unit, C by c_error, and each form is rounded at most 4 times more: 16 unit of the sum of magnitudes covers
-/// it.
+// With b = sqrt(A c_size) >= |B|, B errs by 4 unit b, A by 3 unit, C by 6 unit c_size. In f, A's term is rounded 4 times more,
+// B's 3 times, C's once: 7 unit of the sum of magnitudes, 8 with slack; g errs less.
+inline constexpr int sphere_place_error = 8;
+
+/// By the signs of f = A x^2 - 2 B x + C and g = A x - B, for x = 0 or ordinary.
 template <class W>
 [[nodiscard]] inline Place place_of(W x, const SphereTerms<W>& t) noexcept {
   using numeric::magnitude;
   const W ax = t.a * x, f = (ax - 2 * t.b) * x + t.c, g = ax - t.b;
   const W size = magnitude(x), ax_size = t.a * size, b_size = numeric::square_root(t.a * t.c_size);
-  const W g_error = 16 * numeric::unit_of<W> * (ax_size + b_size);
-  const W f_error = 16 * numeric::unit_of<W> * ((ax_size + 2 * b_size) * size + t.c_size);
+  const W g_error = sphere_place_error * numeric::unit_of<W> * (ax_size + b_size);
+  const W f_error = sphere_place_error * numeric::unit_of<W> * ((ax_size + 2 * b_size) * size + t.c_size);
   if (f < -f_error) return Place::between;
   if (!(f > f_error)) return Place::uncertain;
   return g < -g_error ? Place::before : g > g_error ? Place::after : Place::uncertain;

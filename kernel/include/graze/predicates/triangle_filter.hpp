@@ -15,8 +15,9 @@ namespace graze::predicates {
 /// magnitudes |.|. A monomial is rounded at most 7 times: two differences, two products, one subtraction, two sums. So the
 /// error is at most ((1 + unit)^7 - 1) m < 7.001 unit m, and w = whole - u - v, rounded twice more, errs by less than 9.02 unit
 /// of the three m together. With s = |E1| + |E2| and r = |T| + s that is 9.02 unit |d| (|E1||E2| + |T| s) < 9.02 unit |d| s r,
-/// which bounds each of the four; the distance's m = |T||E1||E2| < s s r. 10 unit covers the rounding of the bounds themselves
-/// (13 unit) and underflow (see numeric/filter.hpp). A NaN or an infinity in a vector makes a sum not ordinary.
+/// which bounds each of the four; the distance, of three differences, errs by 8.01 unit |T||E1||E2| < 8.01 unit s s r. 10 unit
+/// covers the rounding of the bounds themselves (13 unit) and underflow (kernel/proofs/triangle_filter.g). A NaN or an infinity
+/// in a vector makes a sum not ordinary.
 template <class W>
 struct TriangleTerms {
   W whole, u, v, w, distance;
@@ -61,8 +62,8 @@ template <class W, Real T>
 /// is `miss`.
 enum class TriangleVerdict { miss, face, uncertain };
 
-/// Where the distance lies against a bound x of the range: t > x where distance - x whole > 0. The product and the difference
-/// err by less than a quarter of the bounds' sum.
+/// Where the distance lies against a bound x of the range: t > x where distance - x whole > 0. Both terms err by 9.02 unit
+/// at most, the product and the difference included, so their bounds hold for f too.
 struct BoundTest {
   bool above, below;
 };
@@ -70,7 +71,7 @@ struct BoundTest {
 template <class W>
 [[nodiscard]] inline BoundTest test_bound(W x, const TriangleTerms<W>& terms) noexcept {
   const W f = terms.distance - x * terms.whole;
-  const W error = W(1.25) * (terms.distance_error + numeric::magnitude(x) * terms.error);
+  const W error = terms.distance_error + numeric::magnitude(x) * terms.error;
   return {f > error, f < -error};
 }
 
