@@ -169,8 +169,8 @@ graze_mutant(
   low_part_too_large
   MODELS "a double-double divided as if it were normalised"
   FILE src/rounding/roots.cpp
-  FIND [[{a, b, normalised(c), normalised(b * b - a * c)]]
-  REPLACE [[{a, b, c, normalised(b * b - a * c)]])
+  FIND [[{a, b, normalised(c), discriminant]]
+  REPLACE [[{a, b, c, discriminant]])
 
 graze_mutant(
   decision_without_range

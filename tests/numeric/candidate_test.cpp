@@ -35,8 +35,9 @@ Verdict<T> judge(const Candidate& c) {
   return verdict;
 }
 
-/// The rounding stage's bounds are never below this share of the value, and each has room for what rounding lo + error costs.
-constexpr double least_share = 0x1p-101, room = 0x1p-105;
+/// The rounding stage's bounds are never below this share of the value, and each has room for what rounding lo + error costs:
+/// this share of lo.
+constexpr double least_share = 0x1p-102, room = 0x1p-53;
 
 /// A pair near or on the middle between two numbers of the format, or far from one, and an error that reaches it, or not quite.
 template <Real T>
@@ -74,7 +75,7 @@ void check(int count) {
       ++(verdict.is_certain ? certain : in_doubt);
       if (!verdict.is_certain) continue;
       const mpq_class middle = mpq_class(c.hi) + mpq_class(c.lo);
-      const mpq_class error = mpq_class(c.error) - mpq_class(std::fabs(c.hi) * room);
+      const mpq_class error = mpq_class(c.error) - abs(mpq_class(c.lo)) * room;
       const mpq_class low = middle - error, high = middle + error;
       const bool is_right = nearest<T>(low.get_num(), low.get_den()) == verdict.number &&
                             nearest<T>(high.get_num(), high.get_den()) == verdict.number;

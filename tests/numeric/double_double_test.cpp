@@ -130,7 +130,7 @@ TEST_CASE("A pair is normalised without error") {
   }
 }
 
-TEST_CASE("A quotient of pairs errs by less than 2^-100 of itself") {
+TEST_CASE("A quotient of pairs errs by less than 2^-102 of itself") {
   CAPTURE(seed);
   fuzz::Random random(seed, "quotients", 0);
   Share share("pair quotients");
@@ -139,25 +139,8 @@ TEST_CASE("A quotient of pairs errs by less than 2^-100 of itself") {
     Pair d = random_pair(random, 200);
     if (random.one_in(4)) d = {std::nextafter(n.hi, 0), random.one_in(2) ? 0 : -n.lo};
     const mpq_class truth = value_of(n) / value_of(d);
-    if (share.admits(value_of(n / d) - truth, times_power(abs(truth), -100))) continue;
+    if (share.admits(value_of(n / d) - truth, times_power(abs(truth), -102))) continue;
     CAPTURE(hex(n.hi), hex(n.lo), hex(d.hi), hex(d.lo));
-    REQUIRE(false);
-  }
-  CHECK(share.greatest() > 0.02);
-}
-
-TEST_CASE("A square root of a pair errs by less than 2^-100 of itself") {
-  CAPTURE(seed);
-  fuzz::Random random(seed, "roots", 0);
-  Share share("pair square roots");
-  for (int round = 0; round < 60000; ++round) {
-    Pair a = random_pair(random, 200);
-    if (a.hi < 0) a = {-a.hi, -a.lo};
-    const Pair root = numeric::square_root(a);
-    // The error of the root is half that of its square, to first order: |s^2 - a| / (2 a) below 2^-100, but for its own square.
-    const mpq_class x = value_of(a), s = value_of(root);
-    if (sgn(s) > 0 && share.admits(s * s - x, times_power(2 * x, -100))) continue;
-    CAPTURE(hex(a.hi), hex(a.lo));
     REQUIRE(false);
   }
   CHECK(share.greatest() > 0.02);

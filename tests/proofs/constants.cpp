@@ -15,6 +15,8 @@
 #include "graze/predicates/implicit_filter.hpp"
 #include "graze/predicates/sphere_filter.hpp"
 #include "graze/predicates/triangle_filter.hpp"
+#include "numeric/approximation.hpp"
+#include "rounding/error_bounds.hpp"
 
 namespace {
 
@@ -42,6 +44,19 @@ const std::map<std::string, double> kernel_constants{
     {"plane_error", predicates::plane_error},
     {"double_underflow", predicates::underflow_share<double>},
     {"float_underflow", predicates::underflow_share<float>},
+    {"margin_share", rounding::margin_share},
+    {"float_sum_error", rounding::float_sum_error},
+    {"pair_determinant_error", rounding::pair_determinant_error},
+    {"pair_quotient_error", rounding::pair_quotient_error},
+    {"quotient_error", rounding::quotient_error},
+    {"certainty", rounding::certainty},
+    {"second_order", rounding::second_order},
+    {"root_share", rounding::root_share},
+    {"pair_steps", rounding::pair_steps},
+    {"double_steps", rounding::double_steps},
+    {"pair_c_error", rounding::pair_c_error},
+    {"pair_discriminant_error", rounding::pair_discriminant_error},
+    {"approximation_slack", static_cast<double>(numeric::Approximation::slack)},
 };
 
 /// Whether all of the script's constants are the kernel's; their names go to `named`.

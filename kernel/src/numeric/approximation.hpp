@@ -12,7 +12,7 @@ namespace graze::numeric {
 
 /// sign * m * 2^exponent for a real m with |m - mantissa| <= slack; mantissa has its top bit set unless sign is 0, which
 /// means exactly zero. The least significant bits of everything below are dropped, so each step's slack is counted:
-/// leading bits 1, square root 2, sum 4, quotient 12.
+/// leading bits 1, square root 2, sum 4, quotient 12 (kernel/proofs/approximation.g).
 struct Approximation {
   static constexpr std::uint64_t slack = 16;
 

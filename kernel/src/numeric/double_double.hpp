@@ -56,7 +56,7 @@ template <class V>
 #endif
 }
 
-/// Errs by at most 4 * 2^-106 (|a| + |b|), absolutely: cancellation is the caller's bound to count.
+/// For normalised pairs errs by at most 4 * 2^-106 (|a| + |b|), absolutely: cancellation is the caller's bound to count.
 template <class V>
 [[nodiscard]] inline PairOf<V> operator+(const PairOf<V>& a, const PairOf<V>& b) noexcept {
   const PairOf<V> s = two_sum(a.hi, b.hi);
@@ -87,21 +87,13 @@ template <class V>
   return two_sum(a.hi, a.lo);
 }
 
-/// n / d for normalised pairs: relative error below 2^-100.
+/// n / d for normalised pairs: relative error below 2^-102 (kernel/proofs/face.g).
 template <class V>
 [[nodiscard]] inline PairOf<V> operator/(const PairOf<V>& n, const PairOf<V>& d) noexcept {
   const V q = n.hi / d.hi;
   const PairOf<V> p = two_product(q, d.hi);
   const V rest = ((n.hi - p.hi) - p.lo) + (n.lo - q * d.lo);
   return {q, rest / d.hi};
-}
-
-/// The square root of a normalised positive pair: relative error below 2^-100.
-[[nodiscard]] inline Pair square_root(const Pair& a) noexcept {
-  const double s = __builtin_sqrt(a.hi);
-  const Pair p = two_product(s, s);
-  const double rest = ((a.hi - p.hi) - p.lo) + a.lo;
-  return {s, rest / (2 * s)};
 }
 
 [[nodiscard]] inline Lanes rotated_lanes(const Lanes& v) noexcept {

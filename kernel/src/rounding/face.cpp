@@ -17,13 +17,12 @@ struct Quotients {
   bool are_bounded;
 };
 
-/// The error of n / d: (n_error + |q| d_error) / |d| to first order, and `division` |q| for the division itself. With d known
-/// to 2^-10, terms of second order are below 2^-8 of those. `relative` scales the errors of the terms to those of the
-/// determinants used.
+/// The error of n / d: (n_error + |q| d_error) / |d| to first order, and `division` |q| for the division itself. `relative`
+/// scales the errors of the terms to those of the determinants used.
 Quotients with_errors(const Lanes& hi, const Lanes& lo, double determinant, const TriangleTerms<double>& terms, double relative,
                       double division) noexcept {
   using numeric::magnitude;
-  const double size = magnitude(determinant), scale = (1 + 0x1p-8) * relative / size;
+  const double size = magnitude(determinant), scale = (1 + second_order) * relative / size;
   const auto error = [&](double q, double n_error) {
     return (n_error + magnitude(q) * terms.error) * scale + magnitude(q) * division;
   };
@@ -32,17 +31,15 @@ Quotients with_errors(const Lanes& hi, const Lanes& lo, double determinant, cons
           error(hi[0], terms.distance_error),
           error(hi[1], terms.error),
           error(hi[2], terms.error),
-          size > 0x1p10 * relative * terms.error};
+          size > certainty * relative * terms.error};
 }
 
 Quotients quotients(const Ray<float>&, const Triangle<float>&, const TriangleTerms<double>& terms) noexcept {
   const double d = terms.whole;
-  return with_errors(Lanes{terms.distance / d, terms.u / d, terms.v / d, 0}, Lanes{}, d, terms, 1, 0x1p-52);
+  return with_errors(Lanes{terms.distance / d, terms.u / d, terms.v / d, 0}, Lanes{}, d, terms, 1, quotient_error);
 }
 
-/// The determinants of TriangleTerms in double-double: the differences are exact, a monomial passes through two products and
-/// five sums, each within 4 * 2^-106 of it, so 28 * 2^-106 m in all; TriangleTerms' bounds are at least 10 * 2^-52 m, and 2^-50
-/// of that is more than 5 times as much.
+/// The determinants of TriangleTerms in double-double, from differences that are exact.
 Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, const TriangleTerms<double>& terms) noexcept {
   using namespace numeric;
   const Lanes a = lanes(triangle.a), d = lanes(ray.direction);
@@ -52,7 +49,8 @@ Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, co
   const PairLanes n = normalised(sums(e2 * g, t * h, d * g, e1 * h));
   const PairLanes determinant{__builtin_shufflevector(n.hi, n.hi, 3, 3, 3, 3), __builtin_shufflevector(n.lo, n.lo, 3, 3, 3, 3)};
   const PairLanes q = n / determinant;
-  return with_errors(q.hi, q.lo, determinant.hi[0], terms, 0x1p-50, 0x1p-100);
+  constexpr double relative = pair_determinant_error / (predicates::triangle_error * numeric::unit);
+  return with_errors(q.hi, q.lo, determinant.hi[0], terms, relative, pair_quotient_error);
 }
 
 }  // namespace
