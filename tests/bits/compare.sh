@@ -1,35 +1,47 @@
 #!/bin/sh
-# The same bits from every compiler: builds the kernel, its caller and the families anew with each compiler and each set of flags, and holds the
-# digest of the answers against golden.txt.
-#   tests/bits/compare.sh [COMPILER...]     g++ and clang++-19 unless said otherwise; a compiler that is missing is told and left out
-# BITS_FOLDER, build/bits unless set, holds the builds. Exit status: 0 all the same, 1 a difference, 2 something could not be built.
+# The same bits from every compiler, its flags and machine: builds the kernel and its caller anew for each row and replays the cases of
+# answers_digest, in all rounding modes and with flush-to-zero; a table of what comes of it.
+#   compare.sh DIGEST FOLDER [COMPILER...]     DIGEST: the program answers_digest; FOLDER: for the builds; all compilers unless said otherwise
+# What is not installed is told and left out. Exit status: 0 all the same, 1 a difference, 2 something could not be built.
 set -eu
-cd "$(dirname "$0")/../.."
-folder=${BITS_FOLDER:-build/bits}
-[ $# -gt 0 ] || set -- g++ clang++-19
+here=$(cd "$(dirname "$0")" && pwd)
+digest=$1 folder=$2
+shift 2
+wanted=$*
+mkdir -p "$folder"
+"$digest" "$here/golden.txt" # The cases must be those of the golden file.
+"$digest" --cases >"$folder/cases"
+
+# The kernel's own files always add -ffp-contract=off and, on x86, -mfpmath=sse: the last flags speak for the caller's inline functions.
+rows() {
+  for compiler in g++-12 clang++-14 clang++-19; do
+    for flags in -O0 -O1 -O2 -O3 '-O3 -mavx2 -mfma -ffp-contract=off' '-O3 -march=native' '-O3 -march=native -ffp-contract=fast'; do
+      echo "native $compiler $flags"
+    done
+  done
+  echo 'native g++-12 -O2 -mfpmath=387'
+  for flags in -O0 -O2 -O3 '-O2 -msse2 -mfpmath=sse'; do echo "native i686-linux-gnu-g++ $flags"; done
+  for flags in -O0 -O3; do
+    echo "qemu-aarch64 aarch64-linux-gnu-g++ $flags"
+    echo "qemu-s390x s390x-linux-gnu-g++ $flags"
+  done
+  echo 'qemu-aarch64 clang++-19 -O3 --target=aarch64-linux-gnu'
+}
 
 status=0
-printf '%-14s %-42s %s\n' compiler flags bits
-for compiler in "$@"; do
-  if ! command -v "$compiler" >/dev/null 2>&1; then
-    printf '%-14s %-42s %s\n' "$compiler" - 'not installed'
-    continue
-  fi
-  # The kernel's own files always add -ffp-contract=off; the last set is a caller who asks for contraction.
-  for flags in '-O0' '-O3' '-O3 -march=native' '-O3 -march=native -ffp-contract=fast'; do
-    build=$folder/$(printf '%s%s' "$compiler" "$flags" | tr -c 'A-Za-z0-9+\n' _)
-    log=$build/log
-    mkdir -p "$build"
-    if ! { cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" &&
-      cmake --build "$build" --target answers_digest --parallel "$(nproc)"; } >"$log" 2>&1; then
-      printf '%-14s %-42s %s\n' "$compiler" "$flags" "not built, see $log"
-      status=2
-    elif "$build/bin/answers_digest" tests/bits/golden.txt >"$log" 2>&1; then
-      printf '%-14s %-42s %s\n' "$compiler" "$flags" same
-    else
-      printf '%-14s %-42s %s\n' "$compiler" "$flags" "$(grep -c ': the answers are' "$log" || :) streams with other answers, $(grep -c ': the answers depend' "$log" || :) that depend on the mode, $(grep -c ': the cases' "$log" || :) with other cases; see $log"
-      [ "$status" -ne 0 ] || status=1
-    fi
-  done
-done
+printf '%-24s %-42s %s\n' compiler flags bits
+rows >"$folder/rows"
+while read -r runner compiler flags; do
+  case " $wanted " in '  ' | *" $compiler "*) ;; *) continue ;; esac
+  row=$folder/$(echo "$compiler$flags" | tr -c 'A-Za-z0-9+\n' _)
+  result=0
+  # shellcheck disable=SC2086
+  said=$(sh "$here/row.sh" "$folder/cases" "$row" "$runner" "$compiler" $flags) || result=$?
+  printf '%-24s %-42s %s\n' "$compiler" "$flags" "$said"
+  case $result in
+    0 | 77) ;;
+    1) [ "$status" -ne 0 ] || status=1 ;;
+    *) status=2 ;;
+  esac
+done <"$folder/rows"
 exit "$status"

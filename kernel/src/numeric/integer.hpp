@@ -6,15 +6,19 @@
 #include <cstdint>
 
 #include "numeric/dyadic.hpp"
-
 #if !defined(__SIZEOF_INT128__)
-#error "graze: the exact stage needs 128-bit integers (g++ or clang on a 64-bit target)."
+#include "numeric/portable_wide.hpp"
 #endif
 
 namespace graze::numeric {
 
+#if defined(__SIZEOF_INT128__)
 __extension__ using Wide = unsigned __int128;
 __extension__ using SignedWide = __int128;
+#else
+using Wide = PortableWide;
+using SignedWide = PortableSignedWide;
+#endif
 
 /// a + b + carry to `sum`; returns the carry out.
 [[nodiscard]] inline unsigned char add(std::uint64_t a, std::uint64_t b, unsigned char carry, std::uint64_t& sum) noexcept {
