@@ -2,8 +2,7 @@
 # it is compiled again, and all the rest is the unmutated kernel's objects.
 set(kernel_dir ${PROJECT_SOURCE_DIR}/kernel)
 set(kernel_includes ${kernel_dir}/include ${kernel_dir}/src ${PROJECT_SOURCE_DIR})
-file(GLOB_RECURSE kernel_sources CONFIGURE_DEPENDS RELATIVE ${kernel_dir} ${kernel_dir}/src/*.cpp)
-list(FILTER kernel_sources EXCLUDE REGEX "^src/batch/")
+get_target_property(kernel_sources graze SOURCES)
 # The last one calls the kernel's inline functions.
 set(mutable_sources ${kernel_sources} ../fuzz/kernel_calls.cpp)
 

@@ -17,6 +17,10 @@ class Quotient {
       : numerator_(denominator.is_negative() ? -numerator : numerator), denominator_(abs(denominator)), scale_(scale) {}
 
   [[nodiscard]] int sign() const noexcept { return numerator_.sign(); }
+  [[nodiscard]] const Integer<N>& numerator() const noexcept { return numerator_; }
+  /// Positive.
+  [[nodiscard]] const Integer<N>& denominator() const noexcept { return denominator_; }
+  [[nodiscard]] int scale() const noexcept { return scale_; }
 
   [[nodiscard]] Approximation approximation() const noexcept {
     Approximation q = quotient(leading(numerator_), leading(denominator_));

@@ -6,6 +6,7 @@
 
 #include "exact/flat.hpp"
 #include "exact/interval.hpp"
+#include "exact/order.hpp"
 #include "exact/quotient.hpp"
 #include "exact/range.hpp"
 #include "exact/scaled.hpp"
@@ -119,13 +120,20 @@ TriangleHit<T> intersect(const Ray<T>& ray, const Triangle<T>& triangle) noexcep
 }
 
 template <Real T>
+TriangleDecision decide(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
+  const TriangleBits bits = answer(input(ray, triangle), numeric::format_of<T>, Wanted::decision);
+  return {bits.kind, bits.facing};
+}
+
+template <Real T>
 bool hits(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
-  if (status_of(ray, triangle) != Status::ok) return false;
-  return answer(input(ray, triangle), numeric::format_of<T>, Wanted::decision).kind != TriangleKind::miss;
+  return status_of(ray, triangle) == Status::ok && decide(ray, triangle).kind != TriangleKind::miss;
 }
 
 template TriangleHit<float> intersect(const Ray<float>&, const Triangle<float>&) noexcept;
 template TriangleHit<double> intersect(const Ray<double>&, const Triangle<double>&) noexcept;
+template TriangleDecision decide(const Ray<float>&, const Triangle<float>&) noexcept;
+template TriangleDecision decide(const Ray<double>&, const Triangle<double>&) noexcept;
 template bool hits(const Ray<float>&, const Triangle<float>&) noexcept;
 template bool hits(const Ray<double>&, const Triangle<double>&) noexcept;
 

@@ -1,0 +1,350 @@
+// The hierarchy, from the top: binned by the surface area heuristic (Wald 2007) into two, the largest part again, until there
+// are eight children or all are leaves.
+#include "scene/build.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+
+#include "scene/parallel.hpp"
+
+namespace graze::scene {
+namespace {
+
+/// A primitive, to be sorted.
+struct Reference {
+  float low[3];
+  std::uint32_t index : 31;
+  std::uint32_t is_sphere : 1;
+  float high[3];
+
+  [[nodiscard]] float center(int k) const noexcept { return low[k] + high[k]; }
+};
+
+struct Range {
+  std::size_t begin, end;
+  Box box;
+  int depth;
+
+  [[nodiscard]] std::size_t size() const noexcept { return end - begin; }
+};
+
+/// A node while its children are not numbered yet.
+struct Draft {
+  int size = 0;
+  std::array<Range, width> ranges;
+  std::array<std::unique_ptr<Draft>, width> children;  ///< null for a leaf
+};
+
+constexpr int bins = 16;
+/// Below this depth ranges are halved by number: at most 31 levels more, within `deepest` of walk.hpp.
+constexpr int deepest_by_area = 60;
+
+struct Bin {
+  Box box = Box::empty();
+  std::size_t size = 0;
+};
+
+void include(Box& box, const Reference& r) noexcept {
+  box.include({{r.low[0], r.low[1], r.low[2]}, {r.high[0], r.high[1], r.high[2]}});
+}
+
+/// From centers to bins. Whatever the rounding, a bin is in [0, bins).
+struct Binning {
+  float low[3], scale[3];
+
+  [[nodiscard]] int bin(const Reference& r, int k) const noexcept {
+    const float x = (r.center(k) - low[k]) * scale[k];
+    return x >= bins - 1 ? bins - 1 : x > 0 ? static_cast<int>(x) : 0;
+  }
+};
+
+class Builder {
+ public:
+  Builder(std::vector<Reference>& references, Threads threads) : references_(references), threads_(threads) {}
+
+  [[nodiscard]] std::unique_ptr<Draft> draft(const Range& range) const {
+    auto out = std::make_unique<Draft>();
+    out->ranges[0] = range;
+    out->size = 1;
+    while (out->size < width) {
+      int largest = -1;
+      for (int i = 0; i < out->size; ++i) {
+        if (is_leaf(out->ranges[i])) continue;
+        if (largest < 0 || out->ranges[i].box.half_area() > out->ranges[largest].box.half_area()) largest = i;
+      }
+      if (largest < 0) break;
+      const auto [one, other] = split(out->ranges[largest]);
+      out->ranges[largest] = one;
+      out->ranges[out->size++] = other;
+    }
+    for_ranges(out->size, range.size() > 4096 ? 1 : width, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if (!is_leaf(out->ranges[i])) out->children[i] = draft(out->ranges[i]);
+      }
+    });
+    return out;
+  }
+
+ private:
+  [[nodiscard]] bool is_leaf(const Range& range) const noexcept {
+    if (range.size() > width) return false;
+    for (std::size_t i = range.begin + 1; i < range.end; ++i) {
+      if (references_[i].is_sphere != references_[range.begin].is_sphere) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] Range range(std::size_t begin, std::size_t end, int depth) const noexcept {
+    Range out{begin, end, Box::empty(), depth};
+    for (std::size_t i = begin; i < end; ++i) include(out.box, references_[i]);
+    return out;
+  }
+
+  [[nodiscard]] std::pair<Range, Range> halves(const Range& whole, std::size_t middle) const noexcept {
+    return {range(whole.begin, middle, whole.depth + 1), range(middle, whole.end, whole.depth + 1)};
+  }
+
+  /// Neither part is empty.
+  [[nodiscard]] std::pair<Range, Range> split(const Range& whole) const noexcept {
+    const auto begin = references_.begin() + static_cast<std::ptrdiff_t>(whole.begin);
+    const auto end = references_.begin() + static_cast<std::ptrdiff_t>(whole.end);
+    if (whole.size() <= width) {
+      const auto middle = std::partition(begin, end, [](const Reference& r) { return r.is_sphere == 0; });
+      return halves(whole, static_cast<std::size_t>(middle - references_.begin()));
+    }
+    float low[3], high[3];
+    for (int k = 0; k < 3; ++k) low[k] = high[k] = begin->center(k);
+    for (auto r = begin; r != end; ++r) {
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], r->center(k));
+        high[k] = std::max(high[k], r->center(k));
+      }
+    }
+    Binning binning;
+    for (int k = 0; k < 3; ++k) {
+      const float extent = high[k] - low[k];
+      binning.low[k] = low[k];
+      binning.scale[k] = extent > 0x1p-100f ? bins * 0.9999f / extent : 0;
+    }
+    const auto [axis, bin] = best_split(begin, end, binning);
+    if (axis >= 0 && whole.depth < deepest_by_area) {
+      const auto middle = std::partition(begin, end, [&](const Reference& r) { return binning.bin(r, axis) < bin; });
+      if (middle != begin && middle != end) return halves(whole, static_cast<std::size_t>(middle - references_.begin()));
+    }
+    return halves(whole, whole.begin + whole.size() / 2);
+  }
+
+  /// The axis and the first bin of the second part; no axis where all centers share a bin.
+  template <class Iterator>
+  [[nodiscard]] std::pair<int, int> best_split(Iterator begin, Iterator end, const Binning& binning) const noexcept {
+    std::array<std::array<Bin, bins>, 3> table;
+    for (auto r = begin; r != end; ++r) {
+      for (int k = 0; k < 3; ++k) {
+        Bin& bin = table[k][binning.bin(*r, k)];
+        include(bin.box, *r);
+        ++bin.size;
+      }
+    }
+    std::pair<int, int> best{-1, 0};
+    float least = std::numeric_limits<float>::infinity();
+    for (int k = 0; k < 3; ++k) {
+      std::array<float, bins> cost{};
+      Bin sum;
+      for (int i = bins - 1; i > 0; --i) {
+        sum.box.include(table[k][i].box);
+        sum.size += table[k][i].size;
+        cost[i] = sum.size == 0 ? -1 : sum.box.half_area() * blocks(sum.size);
+      }
+      sum = {};
+      for (int i = 1; i < bins; ++i) {
+        sum.box.include(table[k][i - 1].box);
+        sum.size += table[k][i - 1].size;
+        if (sum.size == 0 || cost[i] < 0) continue;
+        const float total = cost[i] + sum.box.half_area() * blocks(sum.size);
+        if (total < least) {
+          least = total;
+          best = {k, i};
+        }
+      }
+    }
+    return best;
+  }
+
+  /// What a part costs: a block is tested at once.
+  [[nodiscard]] static float blocks(std::size_t size) noexcept { return static_cast<float>((size + width - 1) / width); }
+
+  std::vector<Reference>& references_;
+  Threads threads_;
+};
+
+/// How many nodes and blocks the drafts come to.
+struct Sizes {
+  std::size_t nodes = 0, triangles = 0, spheres = 0;
+};
+
+void count(const Draft& draft, const std::vector<Reference>& references, Sizes& sizes) noexcept {
+  ++sizes.nodes;
+  for (int i = 0; i < draft.size; ++i) {
+    if (draft.children[i] != nullptr) {
+      count(*draft.children[i], references, sizes);
+    } else {
+      ++(references[draft.ranges[i].begin].is_sphere != 0 ? sizes.spheres : sizes.triangles);
+    }
+  }
+}
+
+/// A leaf whose block is to be filled.
+struct Leaf {
+  Child child;
+  std::uint32_t begin, end;
+};
+
+/// Writes the nodes, depth first, and lists the leaves.
+template <Real T>
+std::uint32_t write(const Draft& draft, const std::vector<Reference>& references, Data<T>& data, Sizes& written,
+                    std::vector<Leaf>& leaves) {
+  const auto self = static_cast<std::uint32_t>(written.nodes++);
+  for (int i = 0; i < width; ++i) data.nodes[self].set(i, Box::empty(), Child::nothing());
+  for (int i = 0; i < draft.size; ++i) {
+    const Range& range = draft.ranges[i];
+    Child child;
+    if (draft.children[i] != nullptr) {
+      child = Child::node(write(*draft.children[i], references, data, written, leaves));
+    } else {
+      child = references[range.begin].is_sphere != 0 ? Child::spheres(static_cast<std::uint32_t>(written.spheres++))
+                                                     : Child::triangles(static_cast<std::uint32_t>(written.triangles++));
+      leaves.push_back({child, static_cast<std::uint32_t>(range.begin), static_cast<std::uint32_t>(range.end)});
+    }
+    data.nodes[self].set(i, range.box, child);
+  }
+  return self;
+}
+
+template <Real T>
+std::vector<Reference> references_of(const Data<T>& data, Threads threads) {
+  std::vector<Reference> out(data.size());
+  for (std::size_t p = 0; p < data.parts.size(); ++p) {
+    const std::uint32_t first = data.first[p];
+    for_ranges(size_of(data.parts[p]), 4096, threads, [&](std::size_t begin, std::size_t end) {
+      const auto* mesh = std::get_if<Mesh<T>>(&data.parts[p]);
+      for (std::size_t i = begin; i < end; ++i) {
+        const Box box = mesh != nullptr ? box_of(data.space, triangle_of(*mesh, i))
+                                        : box_of(data.space, std::get<Spheres<T>>(data.parts[p]).spheres[i]);
+        Reference& r = out[first + i];
+        std::copy_n(box.low, 3, r.low);
+        std::copy_n(box.high, 3, r.high);
+        r.index = static_cast<std::uint32_t>(first + i);
+        r.is_sphere = mesh == nullptr ? 1 : 0;
+      }
+    });
+  }
+  return out;
+}
+
+/// The primitive as it is now.
+template <Real T>
+void load(const Data<T>& data, TriangleBlock<T>& block, int lane, std::uint32_t primitive) noexcept {
+  const std::uint32_t part = data.part_of(primitive);
+  block.set(lane, triangle_of(std::get<Mesh<T>>(data.parts[part]), primitive - data.first[part]), primitive);
+}
+template <Real T>
+void load(const Data<T>& data, SphereBlock<T>& block, int lane, std::uint32_t primitive) noexcept {
+  const std::uint32_t part = data.part_of(primitive);
+  block.set(lane, std::get<Spheres<T>>(data.parts[part]).spheres[primitive - data.first[part]], primitive);
+}
+
+/// Empty lanes repeat the first shape, so that they hold ordinary numbers.
+template <Real T, class Block>
+void fill(const Data<T>& data, Block& block, const Reference* references, std::uint32_t size) noexcept {
+  for (std::uint32_t i = 0; i < width; ++i) {
+    load(data, block, static_cast<int>(i), references[i < size ? i : 0].index);
+    if (i >= size) block.index[i] = no_primitive;
+  }
+}
+
+template <Real T, class Block>
+[[nodiscard]] Box reload(const Data<T>& data, Block& block) noexcept {
+  Box box = Box::empty();
+  for (int i = 0; i < width; ++i) {
+    const std::uint32_t primitive = block.index[i];
+    load(data, block, i, primitive == no_primitive ? block.index[0] : primitive);
+    block.index[i] = primitive;
+    if constexpr (requires { block.triangle(0); }) {
+      box.include(box_of(data.space, block.triangle(i)));
+    } else {
+      box.include(box_of(data.space, block.sphere(i)));
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+template <Real T>
+void build(Data<T>& data, Threads threads) {
+  data.nodes.clear();
+  data.triangles.clear();
+  data.spheres.clear();
+  data.root = Box::empty();
+  if (data.size() == 0) return;
+  std::vector<Reference> references = references_of(data, threads);
+  for (const Reference& r : references) include(data.root, r);
+  std::unique_ptr<Draft> draft = Builder(references, threads).draft({0, references.size(), data.root, 0});
+  Sizes sizes, written;
+  count(*draft, references, sizes);
+  data.nodes.resize(sizes.nodes);
+  std::vector<Leaf> leaves;
+  leaves.reserve(sizes.triangles + sizes.spheres);
+  write(*draft, references, data, written, leaves);
+  draft.reset();
+  data.triangles.resize(sizes.triangles);
+  data.spheres.resize(sizes.spheres);
+  for_ranges(leaves.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Leaf& leaf = leaves[i];
+      const Reference* from = references.data() + leaf.begin;
+      if (leaf.child.is_spheres()) {
+        fill(data, data.spheres[leaf.child.index()], from, leaf.end - leaf.begin);
+      } else {
+        fill(data, data.triangles[leaf.child.index()], from, leaf.end - leaf.begin);
+      }
+    }
+  });
+}
+
+template <Real T>
+void refit(Data<T>& data) noexcept {
+  // Children come after their parents.
+  for (std::size_t n = data.nodes.size(); n-- > 0;) {
+    Node& node = data.nodes[n];
+    for (int i = 0; i < width; ++i) {
+      const Child child = node.children[i];
+      if (child.is_nothing()) continue;
+      Box box = Box::empty();
+      if (!child.is_leaf()) {
+        const Node& inner = data.nodes[child.index()];
+        for (int j = 0; j < width; ++j) {
+          if (!inner.children[j].is_nothing()) box.include(inner.box(j));
+        }
+      } else if (child.is_spheres()) {
+        box = reload(data, data.spheres[child.index()]);
+      } else {
+        box = reload(data, data.triangles[child.index()]);
+      }
+      node.set(i, box, child);
+    }
+  }
+  data.root = Box::empty();
+  for (int i = 0; i < width && !data.nodes.empty(); ++i) {
+    if (!data.nodes[0].children[i].is_nothing()) data.root.include(data.nodes[0].box(i));
+  }
+}
+
+template void build(Data<float>&, Threads);
+template void build(Data<double>&, Threads);
+template void refit(Data<float>&) noexcept;
+template void refit(Data<double>&) noexcept;
+
+}  // namespace graze::scene

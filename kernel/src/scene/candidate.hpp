@@ -1,0 +1,64 @@
+// A hit on the way: which primitive, and an interval that holds its exact first value.
+#pragma once
+
+#include "exact/order.hpp"
+#include "graze/scene/query.hpp"
+#include "graze/sphere.hpp"
+#include "graze/triangle.hpp"
+
+namespace graze::scene {
+
+using exact::Enclosure;
+
+template <Real T>
+struct Candidate {
+  Shape shape = Shape::none;
+  std::uint32_t index = no_primitive;
+  Enclosure t{};
+  Triangle<T> triangle{};  ///< where `shape` is triangle
+  Sphere<T> sphere{};      ///< where `shape` is sphere
+};
+
+/// t = distance / determinant of a face that the filter is sure of. With numbers n, d within a, b of the true ones, d > b, the
+/// quotients differ by at most (a + |n/d| b) / (d - b). Nothing here is near overflow or underflow (numeric/filter.hpp).
+[[nodiscard]] inline Enclosure enclose(double distance, double determinant, double distance_error,
+                                       double determinant_error) noexcept {
+  const double d = numeric::magnitude(determinant), t = distance / determinant, size = numeric::magnitude(t);
+  const double error = (distance_error + size * determinant_error) / (d - determinant_error) * (1 + 0x1p-40) + size * 0x1p-50;
+  return {t - error, t + error};
+}
+
+/// The first root in the range of a secant that the filter is sure of, by q = B + sgn+(B) sqrt(D): q / A is the root farther
+/// from zero, C / q the nearer. Errors as in sphere_filter.hpp: B by 4 unit sqrt(S), A by 3 unit, and sqrt(D) by at most
+/// D_error / sqrt(D), as |sqrt(x) - sqrt(y)| <= |x - y| / sqrt(x). Where q or sqrt(D) is not known to a half, by exact
+/// integers.
+template <Real T>
+[[nodiscard]] inline Enclosure enclose(const Ray<T>& ray, const Sphere<T>& sphere, const predicates::SphereTerms& terms,
+                                       const predicates::SphereVerdict& verdict) noexcept {
+  using numeric::magnitude, numeric::unit;
+  const double root = __builtin_sqrt(terms.discriminant);
+  const bool is_negative = terms.b < 0, is_first = verdict.root != Root::second;
+  const double q = is_negative ? terms.b - root : terms.b + root, size = magnitude(q);
+  const double q_error = 8 * unit * __builtin_sqrt(terms.a * terms.c_size) + 2 * terms.discriminant_error / root;
+  if (!(terms.discriminant > 2 * terms.discriminant_error) || !(size > 2 * q_error)) return exact::enclose_first(ray, sphere);
+  const double relative = 2 * q_error / size + 16 * unit;
+  if (is_first == is_negative) {
+    const double t = q / terms.a, error = magnitude(t) * relative;
+    return {t - error, t + error};
+  }
+  const double t = terms.c / q, error = magnitude(t) * relative + 4 * terms.c_error / size;
+  return {t - error, t + error};
+}
+
+/// Which comes first of two that the ray meets: the sign of one's exact first value minus the other's.
+template <Real T>
+[[nodiscard]] inline int compare_exactly(const Ray<T>& ray, const Candidate<T>& one, const Candidate<T>& other) noexcept {
+  if (one.shape == Shape::triangle) {
+    return other.shape == Shape::triangle ? exact::compare_first(ray, one.triangle, other.triangle)
+                                          : exact::compare_first(ray, one.triangle, other.sphere);
+  }
+  return other.shape == Shape::triangle ? exact::compare_first(ray, one.sphere, other.triangle)
+                                        : exact::compare_first(ray, one.sphere, other.sphere);
+}
+
+}  // namespace graze::scene

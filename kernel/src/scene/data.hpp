@@ -1,0 +1,50 @@
+// All that a scene holds.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "graze/scene.hpp"
+#include "scene/node.hpp"
+
+namespace graze::scene {
+
+/// The parts, their numbering, and where they lie.
+template <Real T>
+struct Content {
+  std::vector<Part<T>> parts;
+  std::vector<std::uint32_t> first;  ///< the index of each part's first primitive, and the number of all
+  Bounds<T> bounds{};
+  Space space;
+
+  [[nodiscard]] std::uint32_t size() const noexcept { return first.empty() ? 0 : first.back(); }
+  [[nodiscard]] std::uint32_t part_of(std::uint32_t primitive) const noexcept {
+    return static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), primitive) - first.begin()) - 1;
+  }
+  [[nodiscard]] std::uint32_t mask_of(std::uint32_t primitive) const noexcept {
+    return std::visit([](const auto& part) { return part.mask; }, parts[part_of(primitive)]);
+  }
+};
+
+template <Real T>
+struct Data : Content<T> {
+  Box root = Box::empty();
+  std::vector<Node> nodes;  ///< parents before their children, the root first; none in a scene of nothing
+  std::vector<TriangleBlock<T>> triangles;
+  std::vector<SphereBlock<T>> spheres;
+  bool is_closed = false;
+};
+
+template <Real T>
+[[nodiscard]] inline std::size_t size_of(const Part<T>& part) noexcept {
+  const auto* mesh = std::get_if<Mesh<T>>(&part);
+  return mesh != nullptr ? mesh->triangles.size() : std::get<Spheres<T>>(part).spheres.size();
+}
+
+template <Real T>
+[[nodiscard]] inline Triangle<T> triangle_of(const Mesh<T>& mesh, std::size_t i) noexcept {
+  const auto& [a, b, c] = mesh.triangles[i];
+  return {mesh.points[a], mesh.points[b], mesh.points[c]};
+}
+
+}  // namespace graze::scene

@@ -1,0 +1,88 @@
+// The hierarchy's parts: inner nodes of eight children, leaves of up to eight shapes in SIMD order.
+#pragma once
+
+#include <cstdint>
+
+#include "graze/scene/query.hpp"
+#include "scene/space.hpp"
+
+namespace graze::scene {
+
+inline constexpr int width = 8;
+
+/// A child: an inner node, or a block of triangles or of spheres; or nothing, whose box nothing meets but a blind ray.
+class Child {
+ public:
+  [[nodiscard]] static constexpr Child node(std::uint32_t i) noexcept { return Child(i); }
+  [[nodiscard]] static constexpr Child triangles(std::uint32_t i) noexcept { return Child(i | leaf); }
+  [[nodiscard]] static constexpr Child spheres(std::uint32_t i) noexcept { return Child(i | leaf | sphere); }
+  [[nodiscard]] static constexpr Child nothing() noexcept { return Child(~std::uint32_t(0)); }
+
+  constexpr Child() noexcept = default;
+  [[nodiscard]] constexpr bool is_nothing() const noexcept { return bits_ == ~std::uint32_t(0); }
+  [[nodiscard]] constexpr bool is_leaf() const noexcept { return (bits_ & leaf) != 0; }
+  [[nodiscard]] constexpr bool is_spheres() const noexcept { return (bits_ & sphere) != 0; }
+  /// Of the node or the block.
+  [[nodiscard]] constexpr std::uint32_t index() const noexcept { return bits_ & ~(leaf | sphere); }
+
+ private:
+  static constexpr std::uint32_t leaf = std::uint32_t(1) << 31, sphere = std::uint32_t(1) << 30;
+  explicit constexpr Child(std::uint32_t bits) noexcept : bits_(bits) {}
+  std::uint32_t bits_ = ~std::uint32_t(0);
+};
+
+/// bounds[0] are the low, bounds[1] the high ones; by axis, then child.
+struct alignas(32) Node {
+  float bounds[2][3][width];
+  Child children[width];
+
+  void set(int i, const Box& box, Child child) noexcept {
+    for (int k = 0; k < 3; ++k) {
+      bounds[0][k][i] = box.low[k];
+      bounds[1][k][i] = box.high[k];
+    }
+    children[i] = child;
+  }
+  [[nodiscard]] Box box(int i) const noexcept {
+    return {{bounds[0][0][i], bounds[0][1][i], bounds[0][2][i]}, {bounds[1][0][i], bounds[1][1][i], bounds[1][2][i]}};
+  }
+};
+
+/// Lanes that hold nothing come last; their index is no_primitive.
+template <Real T>
+struct alignas(32) TriangleBlock {
+  T corners[3][3][width];  ///< by corner a, b, c, then axis
+  std::uint32_t index[width];
+
+  [[nodiscard]] Triangle<T> triangle(int i) const noexcept {
+    const auto corner = [&](int c) { return Vec3<T>{corners[c][0][i], corners[c][1][i], corners[c][2][i]}; };
+    return {corner(0), corner(1), corner(2)};
+  }
+  void set(int i, const Triangle<T>& t, std::uint32_t primitive) noexcept {
+    int c = 0;
+    for (const Vec3<T>& p : {t.a, t.b, t.c}) {
+      corners[c][0][i] = p.x;
+      corners[c][1][i] = p.y;
+      corners[c++][2][i] = p.z;
+    }
+    index[i] = primitive;
+  }
+};
+
+template <Real T>
+struct alignas(32) SphereBlock {
+  T center[3][width];
+  T radius[width];
+  std::uint32_t index[width];
+
+  [[nodiscard]] Sphere<T> sphere(int i) const noexcept { return {{center[0][i], center[1][i], center[2][i]}, radius[i]}; }
+  void set(int i, const Sphere<T>& s, std::uint32_t primitive) noexcept {
+    center[0][i] = s.center.x;
+    center[1][i] = s.center.y;
+    center[2][i] = s.center.z;
+    radius[i] = s.radius;
+    index[i] = primitive;
+  }
+};
+
+}  // namespace graze::scene

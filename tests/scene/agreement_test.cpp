@@ -1,0 +1,112 @@
+// Scenes held against every primitive asked of the oracle.
+#include "fuzz/same_bits.hpp"
+#include "fuzz/scene/truth.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/formats.hpp"
+#include "tests/support/in_mode.hpp"
+
+namespace graze::test {
+namespace {
+
+using fuzz::Random, fuzz::SceneDraft;
+
+constexpr std::uint64_t seed = 1;
+
+/// Calls visit(draft, scene, random) for the first scenes of the stream.
+template <Real T, class Visit>
+void each_scene(std::uint64_t scenes, Visit visit) {
+  const Random stream(seed, "scene-test", sizeof(T));
+  for (std::uint64_t i = 0; i < scenes; ++i) {
+    Random random = stream.at(i);
+    const SceneDraft<T> draft = fuzz::draft_scene<T>(random);
+    Scene<T> scene;
+    INFO("seed " << seed << ", scene " << i << ", " << draft.family);
+    REQUIRE(scene.build(draft.parts).ok());
+    REQUIRE(scene.size() == draft.primitives.size());
+    visit(draft, scene, random);
+  }
+}
+
+TEST_CASE("A scene answers what every primitive by itself answers") {
+  in_both_formats([]<Real T>() {
+    each_scene<T>(400, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+      for (int r = 0; r < 20; ++r) {
+        const Ray<T> ray = fuzz::draft_ray(draft, random);
+        const auto fault = fuzz::find_scene_fault(scene, draft, ray, fuzz::draft_options(draft, random));
+        if (!fault) continue;
+        INFO("ray " << r << ": " << *fault);
+        REQUIRE(!fault.has_value());
+      }
+    });
+  });
+}
+
+template <Real T>
+struct Answers {
+  SceneHit<T> closest;
+  std::vector<SceneHit<T>> all, ties;
+  bool any = false;
+  std::uint64_t count = 0;
+  bool operator==(const Answers&) const = default;
+};
+
+template <Real T>
+Answers<T> ask(const Scene<T>& scene, const Ray<T>& ray) {
+  return {scene.closest(ray), scene.all(ray), scene.ties(ray), scene.any(ray), scene.count(ray)};
+}
+
+template <Real T>
+BuildStatus build(Scene<T>& scene, const std::vector<Part<T>>& parts) {
+  return scene.build(parts, {false, Threads::mine});
+}
+
+TEST_CASE("Every environment gives the same answers, whichever the scene was built in") {
+  in_both_formats([]<Real T>() {
+    each_scene<T>(60, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+      std::vector<Ray<T>> rays;
+      for (int r = 0; r < 12; ++r) rays.push_back(fuzz::draft_ray(draft, random));
+      for (const Environment& environment : environments) {
+        Scene<T> other;
+        REQUIRE(in_mode(environment, build<T>, other, draft.parts).ok());
+        for (const Ray<T>& ray : rays) {
+          const Answers<T> plain = ask(scene, ray);
+          const bool is_same = plain == in_mode(environment, ask<T>, scene, ray) && plain == ask(other, ray);
+          if (is_same) continue;
+          CAPTURE(environment);
+          REQUIRE(is_same);
+        }
+      }
+    });
+  });
+}
+
+TEST_CASE("Spans of rays are answered like single rays, on one thread or all") {
+  in_both_formats([]<Real T>() {
+    each_scene<T>(10, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+      std::vector<Ray<T>> rays;
+      for (int r = 0; r < 200; ++r) rays.push_back(fuzz::draft_ray(draft, random));
+      rays[7].direction = {};
+      for (const Threads threads : {Threads::mine, Threads::all}) {
+        std::vector<SceneHit<T>> closest(rays.size());
+        std::vector<std::vector<SceneHit<T>>> all(rays.size());
+        std::vector<std::uint64_t> count(rays.size());
+        const auto any = std::make_unique<bool[]>(rays.size());
+        const std::span<const Ray<T>> asked(rays);
+        scene.closest(asked, closest, {}, threads);
+        scene.all(asked, std::span(all), {}, threads);
+        scene.count(asked, count, {}, threads);
+        scene.any(asked, std::span(any.get(), rays.size()), {}, threads);
+        int different = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+          different += !(closest[i] == scene.closest(rays[i])) || all[i] != scene.all(rays[i]) ||
+                       count[i] != scene.count(rays[i]) || any[i] != scene.any(rays[i]);
+        }
+        CHECK(different == 0);
+        CHECK(closest[7].status == Status::zero_direction);
+      }
+    });
+  });
+}
+
+}  // namespace
+}  // namespace graze::test

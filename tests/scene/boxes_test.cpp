@@ -1,0 +1,232 @@
+// The box test against exact rational arithmetic: what the exact ray meets is never rejected.
+#include <gmpxx.h>
+
+#include <array>
+#include <cmath>
+
+#include "fuzz/random.hpp"
+#include "scene/walk.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/formats.hpp"
+#include "tests/support/in_mode.hpp"
+
+namespace graze::test {
+namespace {
+
+using fuzz::Random;
+using scene::Box, scene::BoxRay, scene::Node, scene::Space;
+
+mpq_class power(int exponent) {
+  mpq_class p = 1;
+  if (exponent >= 0) {
+    mpq_mul_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  } else {
+    mpq_div_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  }
+  return p;
+}
+
+/// The least t at which the exact ray is in the box; false where there is none.
+template <Real T>
+bool meets_exactly(const Space& space, const Box& box, const Ray<T>& ray, mpq_class& entry) {
+  entry = static_cast<double>(ray.t_min);
+  mpq_class exit;
+  bool has_exit = std::isfinite(ray.t_max);
+  if (has_exit) exit = static_cast<double>(ray.t_max);
+  const std::array<T, 3> e{ray.origin.x, ray.origin.y, ray.origin.z}, d{ray.direction.x, ray.direction.y, ray.direction.z};
+  for (int k = 0; k < 3; ++k) {
+    const mpq_class unit = power(-space.exponent);
+    const mpq_class low =
+        4 * mpq_class(space.quarter_origin[k]) + unit * static_cast<double>(box.low[k]) - static_cast<double>(e[k]);
+    const mpq_class high =
+        4 * mpq_class(space.quarter_origin[k]) + unit * static_cast<double>(box.high[k]) - static_cast<double>(e[k]);
+    if (d[k] == 0) {
+      if (sgn(low) > 0 || sgn(high) < 0) return false;
+      continue;
+    }
+    const mpq_class slope = static_cast<double>(d[k]);
+    const mpq_class first = (d[k] > 0 ? low : high) / slope, last = (d[k] > 0 ? high : low) / slope;
+    if (first > entry) entry = first;
+    if (!has_exit || last < exit) exit = last;
+    has_exit = true;
+  }
+  return !has_exit || entry <= exit;
+}
+
+template <Real T>
+bool meets(const Space& space, const Box& root, const Box& box, const Ray<T>& ray, double end) {
+  Node node;
+  for (int i = 0; i < scene::width; ++i) node.set(i, Box::empty(), scene::Child::nothing());
+  node.set(5, box, scene::Child::node(1));
+  BoxRay box_ray = scene::box_ray(space, root, ray);
+  box_ray.end_at(end);
+  const scene::Met met = scene::meet_boxes(box_ray, node);
+  return (met.children >> 5 & 1) != 0 && met.entry[5] <= box_ray.high;
+}
+
+/// Not below x.
+double above(const mpq_class& x) {
+  const double d = x.get_d();  // toward zero
+  if (std::isinf(d)) return d;
+  const double up = mpq_class(d) >= x ? d : std::nextafter(d, std::numeric_limits<double>::infinity());
+  // As the tracer's ends are: zero or normal.
+  return std::fabs(up) >= 0x1p-1022 ? up : up > 0 ? 0x1p-1022 : 0;
+}
+
+float choose_coordinate(Random& random) {
+  switch (random.below(6)) {
+    case 0:
+      return 0;
+    case 1:
+      return static_cast<float>(random.between(-8, 8)) / 8;
+    case 2:
+      return static_cast<float>(std::ldexp(random.sign(), random.between(-126, 0)));
+    default:
+      return static_cast<float>(random.between(-(1 << 24), 1 << 24)) * 0x1p-24F;
+  }
+}
+
+Box choose_box(Random& random) {
+  Box box;
+  const int kind = random.between(0, 3);
+  for (int k = 0; k < 3; ++k) {
+    const float one = choose_coordinate(random);
+    float other = kind == 0 ? one : choose_coordinate(random);
+    if (kind == 1) other = one + static_cast<float>(std::ldexp(random.between(0, 3), random.between(-24, -10)));
+    box.low[k] = std::min(one, other);
+    box.high[k] = std::max(one, other);
+  }
+  return box;
+}
+
+/// A number of the format near x, or a few units from it.
+template <Real T>
+T near(const mpq_class& x, Random& random) {
+  T t = static_cast<T>(x.get_d());
+  if (!std::isfinite(t)) t = std::numeric_limits<T>::max();
+  for (int n = random.one_in(3) ? random.between(-2, 2) : 0; n != 0; n += n < 0 ? 1 : -1) {
+    t = std::nextafter(t, n < 0 ? T(-1e30) : T(1e30));
+  }
+  return std::isfinite(t) ? t : T(0);
+}
+
+/// A ray through or past a point of the box's surface, mostly a corner.
+template <Real T>
+Ray<T> choose_ray(const Space& space, const Box& box, Random& random) {
+  std::array<T, 3> e{}, d{};
+  const int distance = random.one_in(8) ? 1 << random.between(0, 30) : random.between(-2, 5);
+  for (int k = 0; k < 3; ++k) {
+    const float p = random.one_in(2) ? box.low[k] : random.one_in(4) ? (box.low[k] + box.high[k]) / 2 : box.high[k];
+    const mpq_class target = 4 * mpq_class(space.quarter_origin[k]) + power(-space.exponent) * static_cast<double>(p);
+    // So many directions' lengths of 1 / 2^j the target is away.
+    const mpq_class step =
+        random.one_in(5) ? mpq_class(0) : mpq_class(power(random.between(-3, 3) - space.exponent) * random.between(-9, 9));
+    d[k] = near<T>(step, random);
+    if (random.one_in(6)) d[k] = 0;
+    if (random.one_in(12)) d[k] = static_cast<T>(random.sign()) * std::numeric_limits<T>::denorm_min();
+    e[k] = near<T>(target - distance * mpq_class(static_cast<double>(d[k])), random);
+  }
+  if (random.one_in(5)) {
+    // From the space's origin, where offsets are zero and only relative errors are left.
+    for (int k = 0; k < 3; ++k) {
+      e[k] = static_cast<T>(4 * space.quarter_origin[k]);
+      d[k] = near<T>(power(-space.exponent) * static_cast<double>(box.low[k]) * random.between(1, 3), random);
+    }
+  }
+  Ray<T> ray{{e[0], e[1], e[2]}, {d[0], d[1], d[2]}};
+  if (d[0] == 0 && d[1] == 0 && d[2] == 0) ray.direction.y = std::numeric_limits<T>::max();
+  if (random.one_in(3)) ray.t_min = static_cast<T>(random.between(-5, 5));
+  if (random.one_in(4)) ray.t_min = std::numeric_limits<T>::lowest();
+  if (random.one_in(8)) ray.t_max = std::max(ray.t_min, static_cast<T>(random.between(-4, 6)));
+  return ray;
+}
+
+template <Real T>
+Space choose_space(Random& random) {
+  Space space;
+  // Scene coordinates are about 2^size.
+  const int size = random.one_in(2) ? random.between(-3, 3)
+                                    : random.between(std::numeric_limits<T>::min_exponent - (sizeof(T) == 4 ? 20 : 0),
+                                                     std::numeric_limits<T>::max_exponent - 3);
+  const int exponent = std::min(-size, 898);
+  space.exponent = exponent;
+  space.scale = scene::power_of_two(std::max(exponent + 2, -1022));
+  space.exponent = std::max(exponent + 2, -1022) - 2;
+  for (double& o : space.quarter_origin) {
+    const T origin = random.one_in(2) ? T(0) : static_cast<T>(std::ldexp(random.between(-100, 100) / 128.0, size));
+    o = 0.25 * static_cast<double>(origin);
+  }
+  return space;
+}
+
+TEST_CASE("No box is rejected that the exact ray meets") {
+  in_both_formats([]<Real T>() {
+    constexpr std::uint64_t seed = 1;
+    const Random stream(seed, "boxes", sizeof(T));
+    int met = 0, missed = 0, rejected = 0;
+    for (std::uint64_t i = 0; i < 50'000; ++i) {
+      Random random = stream.at(i);
+      const Space space = choose_space<T>(random);
+      const Box box = choose_box(random);
+      Box root = box;
+      if (random.one_in(2)) root.include({{-1, -1, -1}, {1, 1, 1}});
+      const Ray<T> ray = choose_ray<T>(space, box, random);
+      mpq_class entry;
+      const bool is_met = meets_exactly(space, box, ray, entry);
+      const double end = is_met && random.one_in(2) ? above(entry) : std::numeric_limits<double>::infinity();
+      ++(is_met ? met : missed);
+      rejected += !is_met && !meets(space, root, box, ray, end);
+      if (!is_met) continue;
+      for (const Environment& environment : environments) {
+        if (in_mode(environment, meets<T>, space, root, box, ray, end)) continue;
+        INFO("seed " << seed << ", case " << i);
+        CAPTURE(environment, end, entry.get_d(), space.exponent, ray.t_min, ray.t_max);
+        CAPTURE(ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z);
+        CAPTURE(box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2]);
+        REQUIRE(false);
+      }
+    }
+    CAPTURE(met, missed, rejected);
+    CHECK(met > 2000);
+    CHECK(rejected > missed / 4);
+  });
+}
+
+TEST_CASE("A shape lies in its box") {
+  in_both_formats([]<Real T>() {
+    const Random stream(1, "shape-boxes", sizeof(T));
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+      Random random = stream.at(i);
+      const Space space = choose_space<T>(random);
+      const mpq_class unit = power(-space.exponent);
+      std::array<T, 4> x{};
+      for (T& c : x) c = near<T>(unit * static_cast<double>(choose_coordinate(random)), random);
+      const T radius = std::fabs(x[3]);
+      const auto coordinate = [&](int k) {
+        return mpq_class((mpq_class(static_cast<double>(x[k])) - 4 * mpq_class(space.quarter_origin[k])) / unit);
+      };
+      for (const Environment& environment : environments) {
+        const Box point = in_mode(
+            environment, +[](const Space& s, const Triangle<T>& t) { return scene::box_of(s, t); }, space,
+            Triangle<T>{{x[0], x[1], x[2]}, {x[0], x[1], x[2]}, {x[0], x[1], x[2]}});
+        const Box ball = in_mode(
+            environment, +[](const Space& s, const Sphere<T>& t) { return scene::box_of(s, t); }, space,
+            Sphere<T>{{x[0], x[1], x[2]}, radius});
+        for (int k = 0; k < 3; ++k) {
+          const mpq_class v = coordinate(k), r = mpq_class(static_cast<double>(radius)) / unit;
+          const bool holds_point = v >= static_cast<double>(point.low[k]) && v <= static_cast<double>(point.high[k]);
+          const bool holds_ball = v - r >= static_cast<double>(ball.low[k]) && v + r <= static_cast<double>(ball.high[k]);
+          const bool is_normal = std::fabs(point.low[k]) >= 0x1p-126F && std::fabs(ball.high[k]) >= 0x1p-126F;
+          if (holds_point && holds_ball && is_normal) continue;
+          INFO("case " << i << ", " << environment);
+          REQUIRE(holds_point);
+          REQUIRE(holds_ball);
+          REQUIRE(is_normal);
+        }
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace graze::test
