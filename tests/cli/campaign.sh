@@ -1,5 +1,6 @@
 # Campaigns in shards: merge, what it refuses, interruption and resumption, GNU parallel.
-schema=$(cd "$(dirname "$0")/../../docs" && pwd)/report.schema.json
+docs=$(cd "$(dirname "$0")/../../docs" && pwd)
+schema=$docs/report.schema.json
 . "$(dirname "$0")/check.sh"
 # Quick, and wrong often enough that the worst offenders matter.
 campaign='--kernel cramer --cases 3000 --families edge-corner,coplanar,rounding'
@@ -158,6 +159,17 @@ if command -v parallel >/dev/null 2>&1; then
 else
   echo "left out: no GNU parallel (Debian package parallel)"
 fi
+
+# What a Slurm array would run, one task after the other.
+mkdir bin slurm
+ln -s "$graze" bin/graze
+sed 's/^shards=64/shards=3/' "$docs/campaign.slurm" >slurm.sh
+for task in 1 2 3; do
+  # shellcheck disable=SC2086
+  (cd slurm && PATH=$work/bin:$PATH SLURM_ARRAY_TASK_ID=$task sh ../slurm.sh $campaign) >out 2>err
+done
+run merge slurm/shards/1.json slurm/shards/2.json slurm/shards/3.json -o merged.json
+cmp -s merged.json whole.json || fail "the tasks of a Slurm array merge to the campaign in one"
 
 if python3 -c 'import jsonschema; jsonschema.Draft202012Validator' 2>/dev/null; then
   run certify --cases 50 --json passed.json </dev/null
