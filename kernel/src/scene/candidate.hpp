@@ -21,10 +21,10 @@ struct Candidate {
 
 /// t = distance / determinant of a face that the filter is sure of. With numbers n, d within a, b of the true ones, d > b, the
 /// quotients differ by at most (a + |n/d| b) / (d - b). Nothing here is near overflow or underflow (numeric/filter.hpp).
-[[nodiscard]] inline Enclosure enclose(double distance, double determinant, double distance_error,
-                                       double determinant_error) noexcept {
-  const double d = numeric::magnitude(determinant), t = distance / determinant, size = numeric::magnitude(t);
-  const double error = (distance_error + size * determinant_error) / (d - determinant_error) * (1 + 0x1p-40) + size * 0x1p-50;
+[[nodiscard]] inline Enclosure enclose(const predicates::TriangleTerms<double>& terms) noexcept {
+  const double t = terms.distance / terms.whole, size = numeric::magnitude(t);
+  const double error =
+      (terms.distance_error + size * terms.error) / (terms.whole - terms.error) * (1 + 0x1p-40) + size * 0x1p-50;
   return {t - error, t + error};
 }
 
@@ -33,7 +33,7 @@ struct Candidate {
 /// D_error / sqrt(D), as |sqrt(x) - sqrt(y)| <= |x - y| / sqrt(x). Where q or sqrt(D) is not known to a half, by exact
 /// integers.
 template <Real T>
-[[nodiscard]] inline Enclosure enclose(const Ray<T>& ray, const Sphere<T>& sphere, const predicates::SphereTerms& terms,
+[[nodiscard]] inline Enclosure enclose(const Ray<T>& ray, const Sphere<T>& sphere, const predicates::SphereTerms<double>& terms,
                                        const predicates::SphereVerdict& verdict) noexcept {
   using numeric::magnitude, numeric::unit;
   const double root = __builtin_sqrt(terms.discriminant);

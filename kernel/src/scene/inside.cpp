@@ -35,7 +35,7 @@ template <Real T, class Tally>
       tally.template add<&Statistics::triangle_tests>(1);
       tally.template add<&Statistics::error_bounds>(1);
       // A certain verdict holds for the perturbed ray too, and for the point itself: it is an end of the ray.
-      const TriangleVerdict verdict = predicates::verdict(predicates::triangle_terms(ray, triangle), ray);
+      const TriangleVerdict verdict = predicates::verdict(predicates::triangle_terms<double>(ray, triangle), ray);
       if (verdict != TriangleVerdict::uncertain) {
         is_inside ^= verdict == TriangleVerdict::face;
         continue;

@@ -18,7 +18,7 @@ struct Query {
   bool range_is_plain;  ///< whether the filters take the ray's range
 
   Query(const Data<T>& d, const Ray<T>& r, const QueryOptions& o, Tally t) noexcept
-      : data(d), ray(r), options(o), tally(t), range_is_plain(numeric::is_default_range(r) || numeric::is_ordinary_range(r)) {}
+      : data(d), ray(r), options(o), tally(t), range_is_plain(numeric::is_default_range(r) || numeric::is_ordinary_range<double>(r)) {}
 
   /// Whether the options let the primitive be seen at all.
   [[nodiscard]] bool sees(std::uint32_t index) const noexcept {
@@ -40,9 +40,9 @@ template <Real T, class Tally, class Hit>
     query.tally.template add<&Statistics::triangle_tests>(1);
     const Triangle<T> triangle = block.triangle(i);
     TriangleVerdict verdict = TriangleVerdict::uncertain;
-    predicates::TriangleTerms terms{};
+    predicates::TriangleTerms<double> terms{};
     if (query.range_is_plain) {
-      terms = predicates::triangle_terms(query.ray, triangle);
+      terms = predicates::triangle_terms<double>(query.ray, triangle);
       verdict = predicates::verdict(terms, query.ray);
       query.tally.template add<&Statistics::error_bounds>(1);
     }
@@ -53,11 +53,8 @@ template <Real T, class Tally, class Hit>
     if (!query.sees(block.index[i])) continue;
     if (verdict == TriangleVerdict::face) {
       query.tally.template add<&Statistics::filter_hits>(1);
-      if (!query.takes(TriangleKind::face, terms.determinant > 0 ? Facing::front : Facing::back)) continue;
-      const auto enclosure = [&] {
-        return enclose(terms.distance, terms.determinant, terms.distance_error, terms.determinant_error);
-      };
-      if (hit(i, enclosure)) return true;
+      if (!query.takes(TriangleKind::face, terms.is_front ? Facing::front : Facing::back)) continue;
+      if (hit(i, [&] { return enclose(terms); })) return true;
       continue;
     }
     query.tally.template add<&Statistics::exact_decisions>(1);
@@ -75,9 +72,9 @@ template <Real T, class Tally, class Hit>
     query.tally.template add<&Statistics::sphere_tests>(1);
     const Sphere<T> sphere = block.sphere(i);
     predicates::SphereVerdict verdict = predicates::uncertain_sphere;
-    predicates::SphereTerms terms{};
+    predicates::SphereTerms<double> terms{};
     if (query.range_is_plain) {
-      terms = predicates::sphere_terms(query.ray, sphere);
+      terms = predicates::sphere_terms<double>(query.ray, sphere);
       verdict = predicates::verdict(terms, query.ray, sphere);
       query.tally.template add<&Statistics::error_bounds>(1);
     }
