@@ -16,7 +16,7 @@ namespace {
 
 struct Options {
   std::string precision = "double";
-  std::string kernel = "graze";
+  KernelOptions kernel;
   bool details = false;
   std::string file = "-";
 };
@@ -40,6 +40,8 @@ int answer_lines(const fuzz::Subject& kernel, fuzz::Details details, LineSource&
     if (const auto* error = std::get_if<fuzz::LineError>(&parsed)) return refuse(lines.place() + ": " + error->what);
     const auto& input = std::get<fuzz::Case<T>>(parsed);
     const auto answer = kernel.answer(input);
+    if (!answer.failure().empty())
+      return refuse(lines.place() + ": kernel " + std::string(kernel.name()) + " " + answer.failure());
     if (!answer) {
       return refuse(lines.place() + ": kernel " + std::string(kernel.name()) + " does not answer " +
                     std::string(fuzz::query_name(input)) + "; these do: " + kernel_names(&input));
@@ -50,13 +52,13 @@ int answer_lines(const fuzz::Subject& kernel, fuzz::Details details, LineSource&
 }
 
 int run(const Options& options) {
-  const fuzz::Subject* kernel = fuzz::find_subject(options.kernel);
-  if (kernel == nullptr) return refuse("graze: no kernel is named '" + options.kernel + "'; there are: " + kernel_names());
+  const Kernel kernel = open_kernel(options.kernel);
+  if (!kernel.wrong.empty()) return refuse("graze: " + kernel.wrong);
   LineSource lines(options.file);
   if (!lines.error().empty()) return refuse(lines.error());
   const auto details = fuzz::Details(options.details);
-  return options.precision == "float" ? answer_lines<float>(*kernel, details, lines)
-                                      : answer_lines<double>(*kernel, details, lines);
+  return options.precision == "float" ? answer_lines<float>(*kernel.subject, details, lines)
+                                      : answer_lines<double>(*kernel.subject, details, lines);
 }
 
 }  // namespace
@@ -66,7 +68,7 @@ void add_answer(CLI::App& program, int& status) {
   const auto options = std::make_shared<Options>();
   command->add_option("--precision", options->precision, "double (default) or float")
       ->check(CLI::IsMember({"double", "float"}));
-  command->add_option("--kernel", options->kernel, "which kernel answers (default graze): " + kernel_names());
+  add_kernel_options(*command, options->kernel);
   command->add_flag("--details", options->details, "tell also origin= and root=, or facing=");
   command->add_option("file", options->file, "the cases; standard input where it is left out or -")->type_name("FILE");
   command->footer(

@@ -23,7 +23,7 @@ namespace graze::cli {
 namespace {
 
 struct Options {
-  std::string kernel = "graze";
+  KernelOptions kernel;
   CampaignOptions campaign;
   std::vector<std::string> compared;
   std::string shard;
@@ -130,11 +130,14 @@ int run(const Options& options) {
     names.clear();
     for (const fuzz::Subject* kernel : fuzz::subjects()) names.emplace_back(kernel->name());
   }
-  if (names.empty()) names.push_back(options.kernel);
+  if (names.empty()) names.push_back(options.kernel.name);
+  std::vector<Kernel> kernels;
   for (const std::string& name : names) {
-    const fuzz::Subject* kernel = fuzz::find_subject(name);
-    if (kernel == nullptr) return refuse("no kernel is named '" + name + "'; there are: " + kernel_names());
-    setting.kernels.push_back(kernel);
+    KernelOptions one = options.kernel;
+    one.name = name;
+    kernels.push_back(open_kernel(one));
+    if (!kernels.back().wrong.empty()) return refuse(kernels.back().wrong);
+    setting.kernels.push_back(kernels.back().subject);
   }
   const auto shard = options.shard.empty() ? fuzz::Shard() : fuzz::parse_shard(options.shard);
   if (!shard) return refuse("--shard " + options.shard + ": is no shard; 1/4 to 4/4 are the four of four");
@@ -152,10 +155,10 @@ int run(const Options& options) {
 void add_certify(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("certify", "Hold a kernel against the exact oracles on inputs that break kernels");
   const auto options = std::make_shared<Options>();
-  CLI::Option* kernel = command->add_option("--kernel", options->kernel, "which kernel (default graze): " + kernel_names());
+  CLI::Option* kernel = add_kernel_options(*command, options->kernel);
   add_options(*command, options->campaign);
-  CLI::Option* compare =
-      command->add_option("--compare", options->compared, "several kernels side by side, `all` for all that are built in");
+  CLI::Option* compare = command->add_option("--compare", options->compared,
+                                             "several kernels side by side, your own too; `all` for all that are built in");
   const auto alone = [compare](CLI::Option* option) { option->excludes(compare); };
   alone(kernel);
   alone(command->add_option("--shard", options->shard, "only the i-th of N equal shares, for `graze merge`")->type_name("i/N"));

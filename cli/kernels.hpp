@@ -1,13 +1,15 @@
-// The kernels that a command can name.
+// The kernels that a command can name: built in, or the user's own.
 #pragma once
 
+#include <CLI/App.hpp>
+#include <memory>
 #include <string>
 
 #include "fuzz/subject.hpp"
 
 namespace graze::cli {
 
-/// The names of the kernels that answer this case, or of all for none; comma-separated.
+/// The names of the built-in kernels that answer this case, or of all for none; comma-separated.
 template <Real T = double>
 [[nodiscard]] std::string kernel_names(const fuzz::Case<T>* input = nullptr) {
   std::string names;
@@ -17,5 +19,21 @@ template <Real T = double>
   }
   return names;
 }
+
+struct KernelOptions {
+  std::string name = "graze";  ///< built in, a shared library, or exec:COMMAND
+  std::string declare;
+  double time_limit = 2;
+};
+
+/// Adds --kernel, --declare and --time-limit to the command, and tells the first.
+CLI::Option* add_kernel_options(CLI::App& command, KernelOptions& options);
+
+struct Kernel {
+  const fuzz::Subject* subject = nullptr;
+  std::unique_ptr<fuzz::Subject> own;  ///< behind `subject` where it is not built in
+  std::string wrong;                   ///< a whole sentence where there is no subject
+};
+[[nodiscard]] Kernel open_kernel(const KernelOptions& options);
 
 }  // namespace graze::cli

@@ -9,6 +9,7 @@
 #include "cli/exit_status.hpp"
 #include "cli/merge.hpp"
 #include "cli/shrink.hpp"
+#include "cli/subject_worker.hpp"
 
 namespace {
 
@@ -37,6 +38,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const auto status = graze::cli::run_subject_worker({argv + 1, argv + argc})) return *status;
   std::ios::sync_with_stdio(false);
 #ifdef SIGPIPE
   // A reader that goes away is a failed write, told by the exit status, not a signal.

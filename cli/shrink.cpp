@@ -18,7 +18,7 @@ namespace {
 
 struct Options {
   std::string precision = "double";
-  std::string kernel = "graze";
+  KernelOptions kernel;
   std::uint64_t trials = fuzz::default_trials;
   bool test = false;
   std::string input = "-";
@@ -87,9 +87,9 @@ int run(const fuzz::Subject& kernel, const Options& options) {
 }
 
 int run(const Options& options) {
-  const fuzz::Subject* kernel = fuzz::find_subject(options.kernel);
-  if (kernel == nullptr) return refuse("graze: no kernel is named '" + options.kernel + "'; there are: " + kernel_names());
-  return options.precision == "float" ? run<float>(*kernel, options) : run<double>(*kernel, options);
+  const Kernel kernel = open_kernel(options.kernel);
+  if (!kernel.wrong.empty()) return refuse("graze: " + kernel.wrong);
+  return options.precision == "float" ? run<float>(*kernel.subject, options) : run<double>(*kernel.subject, options);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ int run(const Options& options) {
 void add_shrink(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("shrink", "Find the simplest case on which a kernel fails in the same way");
   const auto options = std::make_shared<Options>();
-  command->add_option("--kernel", options->kernel, "which kernel fails (default graze): " + kernel_names());
+  add_kernel_options(*command, options->kernel);
   command->add_option("--precision", options->precision, "double (default) or float")
       ->check(CLI::IsMember({"double", "float"}));
   command->add_option("--trials", options->trials, "ask the kernel at most so often for a case (default 200000)")

@@ -11,6 +11,7 @@
 #include "fuzz/case_numbers.hpp"
 #include "fuzz/number_text.hpp"
 #include "fuzz/same_bits.hpp"
+#include "fuzz/words.hpp"
 
 namespace graze::fuzz {
 namespace {
@@ -32,33 +33,6 @@ constexpr std::array<QueryText, 5> queries = {{
 static_assert(std::variant_size_v<Case<double>> == queries.size());
 
 constexpr std::size_t most_numbers = 17;  // of ray_triangle with its range
-
-constexpr std::string_view blanks = " \t\r\f\v\n";
-
-/// Takes the first word off the text; empty where none is left.
-std::string_view take_word(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  const std::string_view word = text.substr(0, text.find_first_of(blanks));
-  text.remove_prefix(word.size());
-  return word;
-}
-
-/// The word in quotes for a message: what does not print becomes \xHH, and what is long is cut.
-std::string quoted(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "'";
-  for (const char c : word.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte > 0x20 && byte < 0x7f) {
-      text += c;
-    } else {
-      text += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
-    }
-  }
-  text += word.size() > longest ? "...'" : "'";
-  return text;
-}
 
 LineError unknown_query(std::string_view word) {
   std::string what = "unknown query " + quoted(word) + "; the queries are";

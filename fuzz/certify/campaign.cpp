@@ -49,9 +49,8 @@ void Plan::plan_mesh(const Mesh& mesh, std::uint64_t seed) {
   for (const Target target : {Target::corner, Target::edge_midpoint, Target::face_center}) {
     rows_.push_back({mesh.name + ": " + std::string(name_of(target)), precision_name<T>, true, rays->count(target)});
     if (rays->count(target) == 0) rows_.back().obstacle = "no point inside the mesh was found in 64 draws";
-    judges_.push_back([rays, target](Range cases, const Judges& judges, Part& part) {
-      for (std::uint64_t i = cases.from; i < cases.to; ++i) judge_mesh_ray(*rays, target, i, judges, part);
-    });
+    judges_.push_back(
+        [rays, target](Range cases, const Judges& judges, Part& part) { judge_mesh_rays(*rays, target, cases, judges, part); });
   }
 }
 

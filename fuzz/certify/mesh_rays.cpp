@@ -145,24 +145,31 @@ std::span<const std::uint32_t> MeshRays<T>::fan(Target target, std::size_t index
   return {&fan_[fan_start_[point]], fan_start_[point + 1] - fan_start_[point]};
 }
 
+namespace {
+
 template <Real T>
-void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Judges& judges, Part& part) {
-  const Ray<T> ray = rays.ray(target, index);
-  const auto replies_of = [&](const std::vector<Case<T>>& inputs) {
-    std::vector<Reply<T>> replies(inputs.size());
-    judges.subject.answer(std::span<const Case<T>>(inputs), std::span(replies));
-    return replies;
-  };
-  const auto hits = [](const Reply<T>& reply) { return reply && is_hit(*reply); };
-  std::vector<Case<T>> inputs;
-  for (const std::uint32_t f : rays.fan(target, index)) inputs.push_back(RayTriangle<T>{ray, rays.triangle(f)});
-  for (const Case<T>& input : inputs) part.input_hash += input_hash(input, index);
-  std::vector<Reply<T>> replies = replies_of(inputs);
+bool is_hit(const Reply<T>& reply) {
+  return reply && is_hit(*reply);
+}
+
+template <Real T>
+std::vector<Reply<T>> replies_of(const Judges& judges, const std::vector<Case<T>>& inputs) {
+  std::vector<Reply<T>> replies(inputs.size());
+  judges.subject.answer(std::span<const Case<T>>(inputs), std::span(replies));
+  return replies;
+}
+
+/// Judges the ray by the replies for the triangles around its target.
+template <Real T>
+void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Case<T>* inputs, const Reply<T>* replies,
+                    const Judges& judges, Part& part) {
+  const std::size_t count = rays.fan(target, index).size();
+  for (std::size_t i = 0; i < count; ++i) part.input_hash += input_hash(inputs[i], index);
   bool truth_hits = false, subject_hits = false;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     if (!replies[i] && replies[i].failure().empty()) return;
     truth_hits |= is_hit(check(judges, inputs[i], replies[i], index, part.tally));
-    subject_hits |= hits(replies[i]);
+    subject_hits |= is_hit(replies[i]);
   }
   ++part.rays;
   if (subject_hits) return;
@@ -170,15 +177,30 @@ void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, c
     ++part.lost_rays;
     return;
   }
-  inputs.clear();
-  for (std::size_t f = 0; f < rays.size(); ++f) inputs.push_back(RayTriangle<T>{ray, rays.triangle(f)});
-  replies = replies_of(inputs);
-  if (std::none_of(replies.begin(), replies.end(), hits)) ++part.lost_rays;
+  std::vector<Case<T>> all;
+  for (std::size_t f = 0; f < rays.size(); ++f) all.push_back(RayTriangle<T>{rays.ray(target, index), rays.triangle(f)});
+  const std::vector<Reply<T>> found = replies_of(judges, all);
+  if (std::none_of(found.begin(), found.end(), [](const Reply<T>& reply) { return is_hit(reply); })) ++part.lost_rays;
+}
+
+}  // namespace
+
+template <Real T>
+void judge_mesh_rays(const MeshRays<T>& rays, Target target, Range range, const Judges& judges, Part& part) {
+  std::vector<Case<T>> inputs;
+  for (std::uint64_t i = range.from; i < range.to; ++i) {
+    for (const std::uint32_t f : rays.fan(target, i)) inputs.push_back(RayTriangle<T>{rays.ray(target, i), rays.triangle(f)});
+  }
+  const std::vector<Reply<T>> replies = replies_of(judges, inputs);
+  std::size_t first = 0;
+  for (std::uint64_t i = range.from; i < range.to; first += rays.fan(target, i++).size()) {
+    judge_mesh_ray(rays, target, i, &inputs[first], &replies[first], judges, part);
+  }
 }
 
 template class MeshRays<float>;
 template class MeshRays<double>;
-template void judge_mesh_ray(const MeshRays<float>&, Target, std::size_t, const Judges&, Part&);
-template void judge_mesh_ray(const MeshRays<double>&, Target, std::size_t, const Judges&, Part&);
+template void judge_mesh_rays(const MeshRays<float>&, Target, Range, const Judges&, Part&);
+template void judge_mesh_rays(const MeshRays<double>&, Target, Range, const Judges&, Part&);
 
 }  // namespace graze::fuzz

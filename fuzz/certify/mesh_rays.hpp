@@ -47,9 +47,10 @@ class MeshRays {
   Vec3<T> origin_{};
 };
 
-/// Judges the ray against every triangle around its target. The ray is lost where the exact answer meets one of them and the
-/// subject none; where the rounded ray passes beside them all, the whole mesh is asked.
+/// Judges each ray of the range against every triangle around its target, asking the subject for all at once. A ray is lost
+/// where the exact answer meets one of them and the subject none; where the rounded ray passes beside them all, the whole mesh
+/// is asked.
 template <Real T>
-void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Judges& judges, Part& part);
+void judge_mesh_rays(const MeshRays<T>& rays, Target target, Range range, const Judges& judges, Part& part);
 
 }  // namespace graze::fuzz

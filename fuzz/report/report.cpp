@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "fuzz/certify/input_hash.hpp"
+#include "fuzz/shell_word.hpp"
 
 namespace graze::fuzz {
 namespace {
@@ -68,7 +69,7 @@ Report blank_report(const Campaign& campaign, const Plan& plan, const Judges& ju
 
 std::string replay_command(const Report& report, const Offender& offender) {
   return "echo '" + offender.input + "' | graze answer --details --precision " + offender.precision + " --kernel " +
-         report.scope.kernel;
+         shell_word(report.scope.kernel);
 }
 
 }  // namespace graze::fuzz

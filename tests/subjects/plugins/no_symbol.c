@@ -1,0 +1,4 @@
+/* A shared library that is no kernel. */
+int graze_something_else(void) {
+  return 1;
+}
