@@ -22,6 +22,14 @@ std::string replaced(std::string text, std::string_view word, std::string_view b
   return text;
 }
 
+/// The command for a shell, which makes way for it where it is one program with its arguments, so that the program's end is
+/// seen as it is and the shell says nothing to it.
+std::string for_shell(const std::string& command) {
+  const bool is_plain = command.find_first_of(";&|<>()`$\n") == std::string::npos &&
+                        command.substr(0, command.find(' ')).find('=') == std::string::npos;
+  return is_plain ? "exec " + command : command;
+}
+
 /// Runs it on no case. A program that is not there or may not be run says so through the shell's exit status; what else it
 /// does, the cases will tell.
 std::string try_out(const std::vector<std::string>& command) {
@@ -47,7 +55,7 @@ Opened open_program(const PluginOptions& options) {
     settings.declaration.offers[0] = {};  // it can't know that float is wanted
   }
   for (const std::size_t p : {0, 1}) {
-    settings.commands[p] = {"/bin/sh", "-c", replaced(command, precision_word, p == 0 ? "float" : "double")};
+    settings.commands[p] = {"/bin/sh", "-c", for_shell(replaced(command, precision_word, p == 0 ? "float" : "double"))};
   }
   if (const std::string wrong = try_out(settings.commands[1]); !wrong.empty()) return options.name + ": the program " + wrong;
   return std::make_unique<ProcessSubject>(std::move(settings));
