@@ -3,6 +3,7 @@
 set(kernel_dir ${PROJECT_SOURCE_DIR}/kernel)
 set(kernel_includes ${kernel_dir}/include ${kernel_dir}/src ${PROJECT_SOURCE_DIR})
 file(GLOB_RECURSE kernel_sources CONFIGURE_DEPENDS RELATIVE ${kernel_dir} ${kernel_dir}/src/*.cpp)
+list(FILTER kernel_sources EXCLUDE REGEX "^src/batch/")
 # The last one calls the kernel's inline functions.
 set(mutable_sources ${kernel_sources} ../fuzz/kernel_calls.cpp)
 
