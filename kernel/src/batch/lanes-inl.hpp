@@ -77,28 +77,38 @@ HWY_INLINE Lanes<D> magnitude_sum(const Vector3<D>& v) {
   return hn::Add(hn::Add(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
 }
 
-/// The numbers at lane i and after: n arrays, or n single numbers.
+/// The numbers at lane i and after of n arrays, or, where not `many`, of n single numbers, which are spread over the lanes once.
+/// Null columns stand for defaults, and are not read.
 template <class D, int n, bool many>
 class Source {
  public:
   using T = hn::TFromD<D>;
 
-  HWY_INLINE explicit Source(const Columns<T, n>& columns, std::size_t first = 0) : columns_(columns) {
-    if constexpr (many) {
-      for (int k = 0; k < n; ++k) columns_.column[k] += first;
-    }
-  }
-  HWY_INLINE Lanes<D> get(int k, std::size_t i) const {
-    if constexpr (many) {
-      return hn::LoadU(D(), columns_.column[k] + i);
-    } else {
-      return hn::Set(D(), *columns_.column[k]);
-    }
-  }
+  HWY_INLINE explicit Source(const Columns<T, n>& columns) : columns_(columns) {}
+  HWY_INLINE Lanes<D> get(int k, std::size_t i) const { return hn::LoadU(D(), columns_.column[k] + i); }
   HWY_INLINE Vector3<D> vector(int k, std::size_t i) const { return {get(k, i), get(k + 1, i), get(k + 2, i)}; }
+  HWY_INLINE void advance(std::size_t lanes) {
+    for (const T*& column : columns_.column) column += column == nullptr ? 0 : lanes;
+  }
 
  private:
   Columns<T, n> columns_;
+};
+
+template <class D, int n>
+class Source<D, n, false> {
+ public:
+  using T = hn::TFromD<D>;
+
+  HWY_INLINE explicit Source(const Columns<T, n>& columns) {
+    for (int k = 0; k < n; ++k) spread_[k] = columns.column[k] == nullptr ? hn::Zero(D()) : hn::Set(D(), *columns.column[k]);
+  }
+  HWY_INLINE Lanes<D> get(int k, std::size_t) const { return spread_[k]; }
+  HWY_INLINE Vector3<D> vector(int k, std::size_t i) const { return {get(k, i), get(k + 1, i), get(k + 2, i)}; }
+  HWY_INLINE void advance(std::size_t) {}
+
+ private:
+  Lanes<D> spread_[n];
 };
 
 /// The last lanes, fewer than a vector: copied, so that nothing past the ends is read.
@@ -145,9 +155,11 @@ template <class D, bool many_rays, bool many_shapes, int n, int m, class Filter>
 HWY_INLINE void settle(D d, const Columns<hn::TFromD<D>, n>& ray_columns, const Columns<hn::TFromD<D>, m>& shape_columns,
                        std::size_t first, std::size_t count, const Filter& filter, Verdicts& out) {
   const std::size_t step = hn::Lanes(d);
-  for (std::size_t word = 0; 64 * word < count; ++word) {
-    const Source<D, n, many_rays> rays(ray_columns, first + 64 * word);
-    const Source<D, m, many_shapes> shapes(shape_columns, first + 64 * word);
+  Source<D, n, many_rays> rays(ray_columns);
+  Source<D, m, many_shapes> shapes(shape_columns);
+  rays.advance(first);
+  shapes.advance(first);
+  for (std::size_t word = 0; 64 * word < count; ++word, rays.advance(64), shapes.advance(64)) {
     WordVerdict gathered;
     const std::size_t left = count - 64 * word;
     if (left >= 64) {
