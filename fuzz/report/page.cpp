@@ -106,7 +106,7 @@ std::string table(const Report& report, const Columns& columns, bool of_meshes) 
   for (const Disagreement d : columns.shown) head += element("th", name_of(d));
   head += "<th>worst ulp</th>";
   if (has_allowed) head += "<th>allowed</th>";
-  return std::string(of_meshes ? "<h2>Rays from inside at a mesh</h2>\n" : "<h2>Families</h2>\n") +
+  return std::string(of_meshes ? "<h2>Rays at meshes</h2>\n" : "<h2>Families</h2>\n") +
          "<div class='wide'><table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + body + "</tbody></table></div>\n";
 }
 

@@ -61,4 +61,18 @@ inline Report of_shard(const Shard& shard, std::uint64_t done = ~std::uint64_t{0
   return report;
 }
 
+/// The same report with nothing wrong in it and no obstacle.
+inline Report cleaned(Report report) {
+  for (Row& row : report.rows) {
+    row.obstacle.clear();
+    for (Part& part : row.parts) {
+      const std::uint64_t cases = part.tally.cases;
+      part.tally = {};
+      part.tally.cases = part.tally.by_disagreement[0] = cases;
+      part.lost_rays = 0;
+    }
+  }
+  return report;
+}
+
 }  // namespace graze::fuzz

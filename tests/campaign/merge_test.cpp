@@ -143,27 +143,15 @@ TEST_CASE("what is missing is named") {
 }
 
 TEST_CASE("the verdict: a fail stands, a pass wants what was to be done to be done") {
-  const auto clean = [](Report report) {
-    for (Row& row : report.rows) {
-      row.obstacle.clear();
-      for (Part& part : row.parts) {
-        const std::uint64_t cases = part.tally.cases;
-        part.tally = {};
-        part.tally.cases = part.tally.by_disagreement[0] = cases;
-        part.lost_rays = 0;
-      }
-    }
-    return report;
-  };
   CHECK(of_shard({1, 2}).verdict() == Verdict::fail);
-  CHECK(clean(of_shard({1, 1})).verdict() == Verdict::pass);
-  CHECK(clean(of_shard({1, 2})).verdict() == Verdict::pass);
-  CHECK(clean(of_shard({1, 2}, 5)).verdict() == Verdict::incomplete);
-  CHECK(clean(of_shard({1, 1}, 5)).verdict() == Verdict::incomplete);
-  Report lost = clean(of_shard({1, 1}));
+  CHECK(cleaned(of_shard({1, 1})).verdict() == Verdict::pass);
+  CHECK(cleaned(of_shard({1, 2})).verdict() == Verdict::pass);
+  CHECK(cleaned(of_shard({1, 2}, 5)).verdict() == Verdict::incomplete);
+  CHECK(cleaned(of_shard({1, 1}, 5)).verdict() == Verdict::incomplete);
+  Report lost = cleaned(of_shard({1, 1}));
   lost.rows[1].parts[0].lost_rays = 1;
   CHECK(lost.verdict() == Verdict::fail);
-  Report blocked = clean(of_shard({1, 1}));
+  Report blocked = cleaned(of_shard({1, 1}));
   blocked.rows[2].obstacle = "no way in";
   CHECK(blocked.verdict() == Verdict::incomplete);
 }
