@@ -34,6 +34,7 @@ Family coplanar_family();
 Family sliver_family();
 Family degenerate_family();
 Family rounding_family();
+Family near_tie_family();
 Family interval_family();
 Family range_family();
 Family lattice_family();

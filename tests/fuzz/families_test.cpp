@@ -95,6 +95,7 @@ constexpr Expected expectations[] = {
     {"sliver", 22, 27, 84},
     {"degenerate", 22, 24, 91},
     {"rounding", 21, 12, 44},
+    {"near-tie", 21, 0, 25},
     {"interval", 45, 35, 81},
     {"range", 20, 18, 59},
     {"lattice", 0, 38, 69},
