@@ -57,6 +57,9 @@ TriangleDraft coordinate_near_tie(Random& random, int digits) {
 struct NearTie {
   static constexpr std::string_view name = "near-tie";
   static constexpr std::string_view attacks = "t, u, v of needles beside midpoints, where determinants cancel";
+  static constexpr Note note{"a bound too small for the error of a number in twice the working precision",
+                             "t, u or v off by one ulp, once in very many hits",
+                             "none seen; the promise that it holds is graze's own"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

@@ -216,6 +216,9 @@ std::optional<int> choose_t_exponent(Random& random, const Marks& marks) {
 struct Rounding {
   static constexpr std::string_view name = "rounding";
   static constexpr std::string_view attacks = "exact ties and near-ties of t, u, v; subnormal, vanishing and overflowing t";
+  static constexpr Note note{"numbers rounded more than once; subnormal and overflowing results forgotten",
+                             "another t on another compiler or processor; -0 or NaN for t",
+                             "none seen; the promise that it holds is graze's own"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Draft draft = choose_draft(random, digits<T>, is_triangle_index(index));

@@ -195,6 +195,10 @@ TEST_CASE("Families are found by their names, which differ") {
     CHECK(find_family(family.name) == &family);
     CHECK(names.insert(family.name).second);
     CHECK_FALSE(family.attacks.empty());
+    for (const std::string_view text : {family.note.bug, family.note.effect, family.note.published}) {
+      CHECK_FALSE(text.empty());
+      CHECK(text.find_first_of("|\n") == std::string_view::npos);
+    }
   }
   CHECK(find_family("no-such-family") == nullptr);
 }
