@@ -7,6 +7,7 @@
 #include "cli/answer.hpp"
 #include "cli/certify.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/families.hpp"
 #include "cli/merge.hpp"
 #include "cli/shrink.hpp"
 #include "cli/subject_worker.hpp"
@@ -20,6 +21,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(0, 1);
   graze::cli::add_answer(program, status);
   graze::cli::add_certify(program, status);
+  graze::cli::add_families(program, status);
   graze::cli::add_merge(program, status);
   graze::cli::add_shrink(program, status);
   try {

@@ -27,6 +27,7 @@ std::span<const Family> families() {
       sliver_family(),
       degenerate_family(),
       rounding_family(),
+      near_tie_family(),
       interval_family(),
       range_family(),
       lattice_family(),

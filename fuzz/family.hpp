@@ -24,10 +24,18 @@ struct LabelledCase {
   Label label;  ///< empty where the case was nudged, rounded or has no promise
 };
 
+/// What a failure in a family means to who uses the kernel.
+struct Note {
+  std::string_view bug;        ///< the kind of bug
+  std::string_view effect;     ///< what users see of it
+  std::string_view published;  ///< where such a failure was reported, or that none was seen
+};
+
 /// Case `index` of stream `seed` is a function of (seed, index) alone: no other case need be made first.
 struct Family {
   std::string_view name;     ///< kebab-case, as `--families` takes it
   std::string_view attacks;  ///< one line: what breaks here
+  Note note;
   LabelledCase<float> (*make_float)(std::uint64_t seed, std::uint64_t index);
   LabelledCase<double> (*make_double)(std::uint64_t seed, std::uint64_t index);
 };

@@ -46,7 +46,7 @@ void Plan::plan_family(const Family& family, const Campaign& campaign) {
 template <Real T>
 void Plan::plan_mesh(const Mesh& mesh, std::uint64_t seed) {
   const auto rays = std::make_shared<const MeshRays<T>>(mesh, seed);
-  for (const Target target : {Target::corner, Target::edge_midpoint, Target::face_center}) {
+  for (const Target target : targets) {
     rows_.push_back({mesh.name + ": " + std::string(name_of(target)), precision_name<T>, true, rays->count(target)});
     if (rays->count(target) == 0) rows_.back().obstacle = "no point inside the mesh was found in 64 draws";
     judges_.push_back(

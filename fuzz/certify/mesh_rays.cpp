@@ -41,6 +41,10 @@ std::string_view name_of(Target target) {
       return "edge midpoints";
     case Target::face_center:
       return "face centers";
+    case Target::other_corner:
+      return "corner to corner";
+    case Target::along_edge:
+      return "along edges";
   }
   return "unknown";
 }
@@ -119,12 +123,37 @@ bool MeshRays<T>::is_inside(const Vec3<T>& point, std::uint64_t seed) const {
 
 template <Real T>
 std::size_t MeshRays<T>::count(Target target) const {
-  return target == Target::corner ? corners_.size() : target == Target::edge_midpoint ? edges_.size() : faces_.size();
+  switch (target) {
+    case Target::corner:
+    case Target::other_corner:
+      return corners_.size();
+    case Target::edge_midpoint:
+    case Target::along_edge:
+      return edges_.size();
+    case Target::face_center:
+      return faces_.size();
+  }
+  return 0;
+}
+
+template <Real T>
+auto MeshRays<T>::ends(Target target, std::size_t index) const -> Ends {
+  if (target == Target::along_edge) {
+    // Either way comes up.
+    const Edge& edge = edges_[index];
+    return index % 2 == 0 ? Ends{edge.from, edge.to} : Ends{edge.to, edge.from};
+  }
+  Random random(0, "mesh-pair", index);
+  return {corners_[index], corners_[random.below(corners_.size())]};
 }
 
 template <Real T>
 Ray<T> MeshRays<T>::ray(Target target, std::size_t index) const {
   Vec3<T> goal;
+  if (target == Target::other_corner || target == Target::along_edge) {
+    const Ends e = ends(target, index);
+    return {points_[e.from], difference(points_[e.to], points_[e.from])};
+  }
   if (target == Target::corner) {
     goal = points_[corners_[index]];
   } else if (target == Target::edge_midpoint) {
@@ -138,11 +167,33 @@ Ray<T> MeshRays<T>::ray(Target target, std::size_t index) const {
 }
 
 template <Real T>
-std::span<const std::uint32_t> MeshRays<T>::fan(Target target, std::size_t index) const {
-  if (target == Target::edge_midpoint) return {edges_[index].faces, edges_[index].face_count};
-  if (target == Target::face_center) return {&faces_[index], 1};
-  const std::uint32_t point = corners_[index];
+std::span<const std::uint32_t> MeshRays<T>::fan_of(std::uint32_t point) const {
   return {&fan_[fan_start_[point]], fan_start_[point + 1] - fan_start_[point]};
+}
+
+template <Real T>
+std::vector<std::uint32_t> MeshRays<T>::fan(Target target, std::size_t index) const {
+  std::vector<std::uint32_t> faces;
+  const auto add = [&](std::span<const std::uint32_t> more) {
+    for (const std::uint32_t face : more) faces.push_back(face);
+  };
+  const bool is_from_corner = target == Target::other_corner || target == Target::along_edge;
+  const Ends e = is_from_corner ? ends(target, index) : Ends{0, 0};
+  if (is_from_corner && points_[e.from] == points_[e.to]) return {};
+  if (target == Target::corner) {
+    add(fan_of(corners_[index]));
+  } else if (target == Target::edge_midpoint || target == Target::along_edge) {
+    add({edges_[index].faces, edges_[index].face_count});
+  } else if (target == Target::face_center) {
+    add({&faces_[index], 1});
+  } else {
+    add(fan_of(e.from));
+    add(fan_of(e.to));
+    // Neighbours have faces in common.
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+  return faces;
 }
 
 namespace {
@@ -164,6 +215,7 @@ template <Real T>
 void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Case<T>* inputs, const Reply<T>* replies,
                     const Judges& judges, Part& part) {
   const std::size_t count = rays.fan(target, index).size();
+  if (count == 0) return;
   for (std::size_t i = 0; i < count; ++i) part.input_hash += input_hash(inputs[i], index);
   bool truth_hits = false, subject_hits = false;
   for (std::size_t i = 0; i < count; ++i) {
@@ -194,7 +246,7 @@ void judge_mesh_rays(const MeshRays<T>& rays, Target target, Range range, const 
   const std::vector<Reply<T>> replies = replies_of(judges, inputs);
   std::size_t first = 0;
   for (std::uint64_t i = range.from; i < range.to; first += rays.fan(target, i++).size()) {
-    judge_mesh_ray(rays, target, i, &inputs[first], &replies[first], judges, part);
+    judge_mesh_ray(rays, target, i, inputs.data() + first, replies.data() + first, judges, part);
   }
 }
 

@@ -1,6 +1,9 @@
-// Rays from inside a closed mesh at its own corners, edge midpoints and face centers: the rays that kernels lose.
+// Rays from inside a closed mesh at its own corners, edge midpoints and face centers, from corner to corner and along its
+// edges: the rays that kernels lose.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -10,7 +13,15 @@
 
 namespace graze::fuzz {
 
-enum class Target { corner, edge_midpoint, face_center };
+enum class Target {
+  corner,         ///< from inside
+  edge_midpoint,  ///< from inside
+  face_center,    ///< from inside
+  other_corner,   ///< from each corner to another, which the index draws
+  along_edge,     ///< from one end of each edge to the other
+};
+inline constexpr std::array targets{Target::corner, Target::edge_midpoint, Target::face_center, Target::other_corner,
+                                    Target::along_edge};
 [[nodiscard]] std::string_view name_of(Target target);
 
 /// A mesh in one precision, an origin inside it, and for each target the triangles around it.
@@ -22,10 +33,11 @@ class MeshRays {
   MeshRays(const Mesh& mesh, std::uint64_t seed);
 
   [[nodiscard]] std::size_t count(Target target) const;
-  /// From the origin toward the target, the direction rounded to T as any program would.
+  /// From its origin toward the target, the direction rounded to T as any program would; zero where both are the same point.
   [[nodiscard]] Ray<T> ray(Target target, std::size_t index) const;
-  /// The triangles that hold the target.
-  [[nodiscard]] std::span<const std::uint32_t> fan(Target target, std::size_t index) const;
+  /// The triangles that hold the target; from corner to corner also those that hold the origin. None
+  /// where both ends of the ray are the same point.
+  [[nodiscard]] std::vector<std::uint32_t> fan(Target target, std::size_t index) const;
   [[nodiscard]] std::size_t size() const { return triangles_.size(); }
   [[nodiscard]] const Triangle<T>& triangle(std::size_t i) const { return triangles_[i]; }
 
@@ -35,6 +47,12 @@ class MeshRays {
     std::uint32_t faces[2];
     std::uint32_t face_count;
   };
+  struct Ends {
+    std::uint32_t from, to;
+  };
+  /// The points of a ray from corner to corner.
+  [[nodiscard]] Ends ends(Target target, std::size_t index) const;
+  [[nodiscard]] std::span<const std::uint32_t> fan_of(std::uint32_t point) const;
   [[nodiscard]] bool draw_origin(std::uint64_t seed, std::uint64_t attempt);
   [[nodiscard]] bool is_inside(const Vec3<T>& point, std::uint64_t seed) const;
 

@@ -11,6 +11,9 @@ namespace {
 struct AExtreme {
   static constexpr std::string_view name = "a-extreme";
   static constexpr std::string_view attacks = "d.d under- or overflows";
+  static constexpr Note note{
+      "d.d out of range for directions that are not normalised", "every hit lost, or NaN answered",
+      "aardvark-platform/aardvark.base issue 127: overflow and underflow of coefficients turn hits into misses"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

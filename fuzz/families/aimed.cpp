@@ -124,6 +124,9 @@ Case<T> rounded_silhouette(Random& random, int exponent) {
 struct Aimed {
   static constexpr std::string_view name = "aimed";
   static constexpr std::string_view attacks = "directions rounded toward corners, edge points and silhouettes";
+  static constexpr Note note{"thresholds tuned on random rays",
+                             "rays that users aim at corners, edges and silhouettes are lost",
+                             "google/vector_math.dart pull request 43: rays along the edge of two triangles hit neither"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     const bool is_triangle = is_triangle_index(index);

@@ -55,6 +55,9 @@ namespace {
 struct BZero {
   static constexpr std::string_view name = "b-zero";
   static constexpr std::string_view attacks = "the origin is the line's closest point to the center";
+  static constexpr Note note{"the stable quadratic with sgn(0) = 0",
+                             "zero divided by zero, or both roots lost, from the center or beside it",
+                             "arborx/ArborX pull request 461, review: the roots are wrong at b = 0"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     return finish<T>(b_zero_draft(random, digits<T>), random, index);

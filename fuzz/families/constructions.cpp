@@ -114,6 +114,16 @@ TriangleKind kind_at(const Barycentric& point) {
   return TriangleKind::face;
 }
 
+Quotient near_midpoint(Random& random, int bits, int digits) {
+  const Int den = choose_full(random, bits) | 1;
+  UnsignedInt inverse = 1;  // of den modulo 2^128, by Newton's iteration
+  for (int step = 0; step < 7; ++step) inverse *= 2 - static_cast<UnsignedInt>(den) * inverse;
+  const Int modulus = power_of_two(digits + 1);
+  const Int midpoint = static_cast<Int>(inverse & static_cast<UnsignedInt>(modulus - 1));
+  if (2 * midpoint >= modulus) return {(midpoint * den - 1) / modulus, den};
+  return {((modulus - midpoint) * den + 1) / modulus, den};
+}
+
 TriangleDraft aimed_triangle(const Aim& aim) {
   TriangleDraft draft;
   const IntVec target = aim.point.i * aim.e1 + aim.point.j * aim.e2;

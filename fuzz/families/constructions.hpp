@@ -34,6 +34,14 @@ struct Barycentric {
 /// The kind of a hit there.
 [[nodiscard]] TriangleKind kind_at(const Barycentric& point);
 
+struct Quotient {
+  Int num, den;  ///< 0 < num <= den
+};
+
+/// A quotient in [1/2, 1) with a denominator of so many bits that misses a midpoint of the format by 2^-(digits + 1) / den: the
+/// nearest that there is.
+[[nodiscard]] Quotient near_midpoint(Random& random, int bits, int digits);
+
 /// A corner at 0, edges q * e1 and q * e2, and a ray that passes the point at t = tau / alpha, in direction alpha * d.
 struct Aim {
   IntVec e1, e2;

@@ -147,6 +147,9 @@ namespace {
 struct Coplanar {
   static constexpr std::string_view name = "coplanar";
   static constexpr std::string_view attacks = "the ray in the triangle's plane: crossing, touching, along an edge, beside it";
+  static constexpr Note note{"parallel taken for no intersection",
+                             "a ray in a wall's plane misses the wall; a cell walk gets lost",
+                             "arborx/ArborX pull request 517: a ray in the triangle's plane is assumed to miss"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

@@ -90,6 +90,9 @@ namespace {
 struct Degenerate {
   static constexpr std::string_view name = "degenerate";
   static constexpr std::string_view attacks = "segments and points for triangles";
+  static constexpr Note note{"a triangle without area divides by zero, or counts as a plane",
+                             "a hit told for every ray, or none where the ray meets the segment",
+                             "libgdx/libgdx issue 4901: true for any degenerate triangle"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

@@ -28,6 +28,9 @@ namespace {
 struct EdgeCorner {
   static constexpr std::string_view name = "edge-corner";
   static constexpr std::string_view attacks = "rays through edges and corners, and a lattice step beside them";
+  static constexpr Note note{"the three edge signs rounded, each by itself",
+                             "rays lost between two triangles, or counted twice at one edge",
+                             "jbikker/tinybvh issue 168; mrdoob/three.js pull request 33661; Oblikovati/Oblikovati issue 2146"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

@@ -71,6 +71,9 @@ TriangleKind kind_in(const Fan& fan, std::uint64_t k) {
 struct FanFamily {
   static constexpr std::string_view name = "fan";
   static constexpr std::string_view attacks = "one ray against all triangles around a corner: cracks and double hits";
+  static constexpr Note note{"no rule for a corner that many triangles share",
+                             "a closed mesh leaks at its corners; crossing parity is wrong",
+                             "dimforge/parry issue 444: one-pixel holes in a closed mesh"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     const std::uint64_t group = index / fan_size;

@@ -90,6 +90,9 @@ void move_away(AnyDraft& draft, Random& random, int digits) {
 struct FarSmall {
   static constexpr std::string_view name = "far-small";
   static constexpr std::string_view attacks = "shapes small beside their distance, or beside a common offset";
+  static constexpr Note note{"L.L - r^2 computed as the difference of two large squares",
+                             "circles of noise on distant spheres; small spheres missed",
+                             "mitsuba-renderer/mitsuba3 issue 512; ziotom78/pytracer issue 22"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

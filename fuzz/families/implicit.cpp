@@ -145,6 +145,9 @@ LabelledCase<T> make_sphere(Random& random) {
 struct Implicit {
   static constexpr std::string_view name = "implicit";
   static constexpr std::string_view attacks = "points on lines, planes and spheres, or a lattice unit beside them";
+  static constexpr Note note{
+      "f(p) computed with rounding", "a point on the wrong side of a line, a plane or a sphere",
+      "sixty-north.com/blog, Rational Computational Geometry in Python: the wrong side of a line in double"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     const std::uint64_t shape = (index / 4) % 3;

@@ -12,6 +12,9 @@ namespace {
 struct Interval {
   static constexpr std::string_view name = "interval";
   static constexpr std::string_view attacks = "t_min and t_max at, around and between the exact t's";
+  static constexpr Note note{"t compared with a bound after it was rounded, or strictly",
+                             "a hit at the end of a range is lost, or one beyond it is told",
+                             "RayTracing/raytracing.github.io issue 1727: roots at t_min and t_max are rejected"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Draft draft = any_draft(random, digits<T>, is_triangle_index(index));

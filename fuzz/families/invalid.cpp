@@ -111,6 +111,9 @@ Case<T> valid_case(Random& random) {
 struct Invalid {
   static constexpr std::string_view name = "invalid";
   static constexpr std::string_view attacks = "every kind of invalid input, several at once: the order of statuses";
+  static constexpr Note note{"no check of the input, or in no fixed order",
+                             "a crash, a hang, or NaN that is compared and passes for a hit",
+                             "defold/defold pull request 11357: a ray of length zero crashes"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     LabelledCase<T> result;

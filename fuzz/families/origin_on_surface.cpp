@@ -69,6 +69,9 @@ namespace {
 struct OriginOnSurface {
   static constexpr std::string_view name = "origin-on-surface";
   static constexpr std::string_view attacks = "C exactly 0 or a unit off; t = 0 on spheres and triangles";
+  static constexpr Note note{"C = 0 taken for inside or outside by rounding",
+                             "a secondary ray meets the surface that it starts from, or leaks through it",
+                             "athas/raytracers issue 34: black dots where the hit comes out inside the sphere"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     if (is_triangle_index(index)) return finish<T>(origin_on_triangle(random, digits<T>), random, index);

@@ -76,6 +76,9 @@ namespace {
 struct OriginZero {
   static constexpr std::string_view name = "origin-zero";
   static constexpr std::string_view attacks = "direction bitwise a corner, a sum of corners or a center, from zero";
+  static constexpr Note note{"products of full mantissas with no subtraction to blame",
+                             "an edge or a corner is missed although no coordinate was rounded",
+                             "mrdoob/three.js issue 11449: a single ray passes through a mesh"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

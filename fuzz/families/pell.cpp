@@ -91,6 +91,9 @@ namespace {
 struct Pell {
   static constexpr std::string_view name = "pell";
   static constexpr std::string_view attacks = "discriminant +1 or -1 beside squares of a hundred digits";
+  static constexpr Note note{"a discriminant of +1 or -1 lost beside the squares that it is the difference of",
+                             "misses told as hits and hits as misses near the limb",
+                             "mmp/pbrt-v3 issue 265: a dark ring near the limb of a sphere far from the origin"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     return finish<T>(pell_draft(random, digits<T>), random, index);

@@ -36,6 +36,9 @@ namespace {
 struct PythagoreanTangent {
   static constexpr std::string_view name = "pythagorean-tangent";
   static constexpr std::string_view attacks = "discriminant exactly 0 where A is not a square";
+  static constexpr Note note{"as for quaternion-tangent, with a root of A that is not an integer",
+                             "a touching ray is lost, or two roots are told where there is one",
+                             "aardvark-platform/aardvark.base issue 127: exact tangencies rejected"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     return finish<T>(pythagorean_tangent_draft(random, digits<T>), random, index);

@@ -43,6 +43,9 @@ namespace {
 struct QuaternionTangent {
   static constexpr std::string_view name = "quaternion-tangent";
   static constexpr std::string_view attacks = "discriminant exactly 0 with full mantissas; A is a square";
+  static constexpr Note note{"the discriminant computed with rounding, compared with 0",
+                             "a touching ray is lost, or two roots are told where there is one",
+                             "RayTracing/raytracing.github.io issue 1058: the book's sphere rejected a discriminant of 0"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     return finish<T>(quaternion_tangent_draft(random, digits<T>), random, index);

@@ -10,6 +10,8 @@ namespace {
 struct RandomControl {
   static constexpr std::string_view name = "random";
   static constexpr std::string_view attacks = "nothing: uniform numbers, the control";
+  static constexpr Note note{"none", "none: what passes here alone has been tested on nothing that is hard",
+                             "every kernel measured passes its decisions here, which is why suites of random rays pass"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     LabelledCase<T> result;

@@ -50,6 +50,9 @@ Case<T> random_bits_case(Random& random, bool is_triangle) {
 struct RangeFamily {
   static constexpr std::string_view name = "range";
   static constexpr std::string_view attacks = "exponents at both ends, mixed exponents, random bits";
+  static constexpr Note note{"squares and triple products beyond the exponents",
+                             "everything lost for very small or very large scenes",
+                             "AMReX-Codes/amrex issue 5789; g-truc/glm pull request 1158: small coordinates never hit"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     const bool is_triangle = is_triangle_index(index);

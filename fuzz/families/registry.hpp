@@ -6,7 +6,7 @@
 
 namespace graze::fuzz::construct {
 
-/// Makes a family of a struct with `name`, `attacks` and `make<T>(random, index)`.
+/// Makes a family of a struct with `name`, `attacks`, `note` and `make<T>(random, index)`.
 template <class Maker, Real T>
 LabelledCase<T> make_case(std::uint64_t seed, std::uint64_t index) {
   Random random(seed, Maker::name, index);
@@ -14,7 +14,7 @@ LabelledCase<T> make_case(std::uint64_t seed, std::uint64_t index) {
 }
 template <class Maker>
 Family family_of() {
-  return {Maker::name, Maker::attacks, &make_case<Maker, float>, &make_case<Maker, double>};
+  return {Maker::name, Maker::attacks, Maker::note, &make_case<Maker, float>, &make_case<Maker, double>};
 }
 
 Family quaternion_tangent_family();
@@ -34,6 +34,7 @@ Family coplanar_family();
 Family sliver_family();
 Family degenerate_family();
 Family rounding_family();
+Family near_tie_family();
 Family interval_family();
 Family range_family();
 Family lattice_family();

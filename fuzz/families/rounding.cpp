@@ -78,21 +78,6 @@ SphereDraft root_near_tie(Random& random, int digits) {
   return draft;
 }
 
-struct Quotient {
-  Int num, den;  ///< 0 < num <= den
-};
-
-/// A quotient in [1/2, 1) with a denominator of so many bits that misses a midpoint of the format by 2^-(digits + 1) / den.
-Quotient near_midpoint(Random& random, int bits, int digits) {
-  const Int den = choose_full(random, bits) | 1;
-  UnsignedInt inverse = 1;  // of den modulo 2^128, by Newton's iteration
-  for (int step = 0; step < 7; ++step) inverse *= 2 - static_cast<UnsignedInt>(den) * inverse;
-  const Int modulus = power_of_two(digits + 1);
-  const Int midpoint = static_cast<Int>(inverse & static_cast<UnsignedInt>(modulus - 1));
-  if (2 * midpoint >= modulus) return {(midpoint * den - 1) / modulus, den};
-  return {((modulus - midpoint) * den + 1) / modulus, den};
-}
-
 SphereDraft tangent_near_midpoint(Random& random, int digits) {
   const int quaternion_bits = random.between(1, digits / 4);
   const Frame frame = choose_frame(random, quaternion_bits);
@@ -231,6 +216,9 @@ std::optional<int> choose_t_exponent(Random& random, const Marks& marks) {
 struct Rounding {
   static constexpr std::string_view name = "rounding";
   static constexpr std::string_view attacks = "exact ties and near-ties of t, u, v; subnormal, vanishing and overflowing t";
+  static constexpr Note note{"numbers rounded more than once; subnormal and overflowing results forgotten",
+                             "another t on another compiler or processor; -0 or NaN for t",
+                             "none seen; the promise that it holds is graze's own"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Draft draft = choose_draft(random, digits<T>, is_triangle_index(index));

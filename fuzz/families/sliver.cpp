@@ -47,6 +47,9 @@ namespace {
 struct Sliver {
   static constexpr std::string_view name = "sliver";
   static constexpr std::string_view attacks = "aspects of 2^50, corners an ulp off one line, normals that underflow";
+  static constexpr Note note{"an absolute bound for the determinant; a normal that is nearly 0",
+                             "hits with a t that makes no sense, small triangles lost",
+                             "RenderKit/embree issue 387; jbikker/tinybvh pull request 283"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

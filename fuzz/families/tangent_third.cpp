@@ -58,6 +58,9 @@ namespace {
 struct TangentThird {
   static constexpr std::string_view name = "tangent-third";
   static constexpr std::string_view attacks = "tangent where neither t nor the point of contact is representable";
+  static constexpr Note note{"a test of the rounded point of contact instead of the exact discriminant",
+                             "a touching ray is lost; t is off in its last places",
+                             "MobilityDB/MobilityDB pull request 2071: one touching point read as two roots"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

@@ -101,6 +101,9 @@ namespace {
 struct Unimodular {
   static constexpr std::string_view name = "unimodular";
   static constexpr std::string_view attacks = "edge, plane and parallel determinants of 0 and +-1 with fifty-bit entries";
+  static constexpr Note note{"3x3 determinants in working precision",
+                             "the wrong side of an edge, or a parallel ray that meets the plane",
+                             "cnr-isti-vclab/vcglib issue 245: hits near triangle edges fail"};
   template <Real T>
   static LabelledCase<T> make(Random& random, std::uint64_t index) {
     Plan plan;

@@ -95,6 +95,7 @@ constexpr Expected expectations[] = {
     {"sliver", 22, 27, 84},
     {"degenerate", 22, 24, 91},
     {"rounding", 21, 12, 44},
+    {"near-tie", 21, 0, 25},
     {"interval", 45, 35, 81},
     {"range", 20, 18, 59},
     {"lattice", 0, 38, 69},
@@ -194,6 +195,10 @@ TEST_CASE("Families are found by their names, which differ") {
     CHECK(find_family(family.name) == &family);
     CHECK(names.insert(family.name).second);
     CHECK_FALSE(family.attacks.empty());
+    for (const std::string_view text : {family.note.bug, family.note.effect, family.note.published}) {
+      CHECK_FALSE(text.empty());
+      CHECK(text.find_first_of("|\n") == std::string_view::npos);
+    }
   }
   CHECK(find_family("no-such-family") == nullptr);
 }

@@ -178,3 +178,45 @@ graze_mutant(
   FILE src/exact/interval.hpp
   FIND [[if (range.starts_after(last) || range.ends_before(first)) return {};]]
   REPLACE [[if (rounded && (range.starts_after(last) || range.ends_before(first))) return {};]])
+
+graze_mutant(
+  face_error_forgotten
+  MODELS "t, u and v of a face in double-double taken for exact"
+  FILE src/rounding/face.cpp
+  FIND [[terms, 0x1p-50, 0x1p-100]]
+  REPLACE [[terms, 0, 0]])
+
+graze_mutant(
+  face_error_too_small
+  MODELS "the bound of a face's numbers too small by 2^10"
+  FILE src/rounding/face.cpp
+  FIND [[terms, 0x1p-50, 0x1p-100]]
+  REPLACE [[terms, 0x1p-60, 0x1p-110]])
+
+graze_mutant(
+  subnormal_exponent
+  MODELS "the exponent of subnormal numbers off by one: wrong for them alone"
+  FILE src/numeric/dyadic.hpp
+  FIND [[field - (field != 0) + trailing]]
+  REPLACE [[field - 1 + trailing]])
+
+graze_mutant(
+  widest_tier_missing
+  MODELS "integers too narrow, wrong only where exponents span more than 1,000 bits"
+  FILE src/exact/scaled.hpp
+  FIND [[operator()<33>()]]
+  REPLACE [[operator()<17>()]])
+
+graze_mutant(
+  edge_of_one_winding
+  MODELS "a shared edge left to the triangle of the other winding, as rasterizers do"
+  FILE src/exact/triangle.cpp
+  FIND [[if (a.is_negative()) return out;]]
+  REPLACE [[if (a.is_negative() || (flipped && a.is_zero() && !b.is_zero() && !c.is_zero())) return out;]])
+
+graze_mutant(
+  tie_away_from_zero
+  MODELS "ties rounded away from zero: wrong at half of the ties alone"
+  FILE src/numeric/rounding.hpp
+  FIND [[(side == 0 && (kept & 1) != 0)]]
+  REPLACE [[side == 0]])
