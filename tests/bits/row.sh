@@ -1,5 +1,5 @@
 #!/bin/sh
-# The same bits from one compiler and its flags: builds the kernel and its caller by hand, and replays the cases.
+# The same bits from one compiler and its flags: builds the kernel's single queries and their caller by hand, and replays the cases.
 #   row.sh CASES FOLDER RUNNER COMPILER [FLAG...]     RUNNER: `native`, or the emulator that runs the program
 # The kernel's own files have the flags that kernel/CMakeLists.txt adds, after the others. Prints `same`, or what is not.
 # Exit status: 0 the same, 1 a difference, 2 it could not be built or run; 77 where compiler or emulator is missing.
