@@ -183,15 +183,15 @@ graze_mutant(
   face_error_forgotten
   MODELS "t, u and v of a face in double-double taken for exact"
   FILE src/rounding/face.cpp
-  FIND [[terms, 0x1p-50, 0x1p-100]]
-  REPLACE [[terms, 0, 0]])
+  FIND [[terms, relative, pair_quotient_error]]
+  REPLACE [[terms, 0 * relative, 0]])
 
 graze_mutant(
   face_error_too_small
   MODELS "the bound of a face's numbers too small by 2^10"
   FILE src/rounding/face.cpp
-  FIND [[terms, 0x1p-50, 0x1p-100]]
-  REPLACE [[terms, 0x1p-60, 0x1p-110]])
+  FIND [[terms, relative, pair_quotient_error]]
+  REPLACE [[terms, 0x1p-10 * relative, 0x1p-10 * pair_quotient_error]])
 
 graze_mutant(
   subnormal_exponent
