@@ -10,6 +10,14 @@
 
 namespace graze::numeric {
 
+// Without SSE2 vectors are handed over otherwise. On 32-bit x86 the library has it and its caller perhaps not: a function of
+// both must not stand for either.
+#if defined(__SSE2__)
+inline namespace sse2 {
+#else
+inline namespace generic {
+#endif
+
 template <class W>
 struct TwoLanesOf;
 template <>
@@ -120,4 +128,5 @@ template <class W>
   return reinterpret_cast<TwoLanes<W>>(reinterpret_cast<LaneBits<W>>(v) ^ signs);
 }
 
+}  // namespace sse2 or generic
 }  // namespace graze::numeric
