@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "exact/order.hpp"
 #include "fuzz/case_text.hpp"
 #include "fuzz/same_bits.hpp"
 #include "graze/batch.hpp"
@@ -168,6 +169,30 @@ std::string told(const Batch<T, Shape>& batch, std::size_t lane, const Case<T>& 
          format_case(input) + "\n  " + what;
 }
 
+/// The nearest hit by exact comparison of all, against the batch's.
+template <Real T, template <class> class Shape, class ShapeColumns>
+std::optional<std::string> find_nearest_fault(const Batch<T, Shape>& batch, const ShapeColumns& shapes) {
+  if (batch.form != BatchForm::one_ray) return std::nullopt;
+  const Ray<T>& ray = batch.rays.front();
+  const std::size_t n = batch.shapes.size();
+  std::size_t truth = n;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!hits(ray, batch.shapes[i])) continue;
+    if (truth == n || exact::compare_first(ray, batch.shapes[i], batch.shapes[truth]) < 0) truth = i;
+  }
+  const auto found = [&] {
+    const FloatModeScope scope(batch.mode);
+    return batch::nearest(ray, arrays(shapes, n));
+  }();
+  if (found.index != truth) {
+    const std::string which =
+        "the nearest of " + std::to_string(n) + " is " + std::to_string(truth) + ", answered " + std::to_string(found.index);
+    return truth == n ? which : told(batch, truth, case_of(ray, batch.shapes[truth]), which);
+  }
+  if (truth == n || same_bits(found.hit, intersect(ray, batch.shapes[truth]))) return std::nullopt;
+  return told(batch, truth, case_of(ray, batch.shapes[truth]), "the nearest hit has other numbers");
+}
+
 }  // namespace
 
 template <Real T, template <class> class Shape>
@@ -196,6 +221,7 @@ std::optional<std::string> find_batch_fault(const Batch<T, Shape>& batch) {
                 "answered " + format_answer(input, Answer<T>(answer), Details::yes) + ", the single query " +
                     format_answer(input, Answer<T>(truth), Details::yes));
   }
+  if (auto fault = find_nearest_fault(batch, shapes)) return fault;
   if (n % 64 != 0 && (mask[words - 1] >> (n % 64)) != 0) return "bits are set past the end of a mask of " + std::to_string(n);
   if (mask[words] != canary) return "a mask of " + std::to_string(n) + " bits is written past its end";
   if (!out.are_kept()) return "answers of " + std::to_string(n) + " lanes are written past their end";

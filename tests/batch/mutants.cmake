@@ -10,7 +10,7 @@ function(graze_batch_mutant name)
   set(overlay ${CMAKE_CURRENT_BINARY_DIR}/${name})
   graze_write_mutated(${name} ${arg_FILE} "${arg_FIND}" "${arg_REPLACE}" ${overlay}/${arg_FILE})
   set(sources)
-  foreach(source hits intersect spheres triangles)
+  foreach(source hits intersect nearest spheres triangles)
     if(EXISTS ${overlay}/src/batch/${source}.cpp)
       list(APPEND sources ${overlay}/src/batch/${source}.cpp)
     else()
@@ -19,6 +19,7 @@ function(graze_batch_mutant name)
   endforeach()
   add_executable(mutant_batch_${name} random_batches.cpp ${PROJECT_SOURCE_DIR}/fuzz/batch_check.cpp
                                       ${PROJECT_SOURCE_DIR}/fuzz/random_batch.cpp ${sources})
+  target_sources(mutant_batch_${name} PRIVATE ${kernel_dir}/src/exact/order.cpp)
   target_include_directories(mutant_batch_${name} PRIVATE ${overlay}/include ${overlay}/src ${kernel_includes})
   target_compile_options(mutant_batch_${name} PRIVATE -O1 -ffp-contract=off -Wno-psabi -msse4.2 -maes -mpclmul)
   target_compile_definitions(mutant_batch_${name} PRIVATE HWY_COMPILE_ONLY_STATIC)
@@ -47,3 +48,10 @@ graze_batch_mutant(
   FILE src/batch/sheared_triangles-inl.hpp
   FIND [[edge_error = 16 *]]
   REPLACE [[edge_error = T(0x1p-8) * 16 *]])
+
+graze_batch_mutant(
+  nearest_tie
+  MODELS "of equal hits the last"
+  FILE src/batch/nearest.cpp
+  FIND [[lane(shapes, best.index)) >= 0]]
+  REPLACE [[lane(shapes, best.index)) > 0]])

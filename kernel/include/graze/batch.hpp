@@ -104,4 +104,18 @@ void intersect(const RayArrays<T>& rays, const Sphere<T>& sphere, const SphereHi
 template <Real T>
 void intersect(const RayArrays<T>& rays, const SphereArrays<T>& spheres, const SphereHitArrays<T>& out) noexcept;
 
+/// The hit of least exact t, and of equal t the one of the lowest index; index = size where nothing is hit. An invalid ray hits
+/// nothing, and `hit` tells its status; an invalid shape is not hit.
+template <class Hit>
+struct Nearest {
+  std::size_t index = 0;
+  Hit hit;
+};
+
+/// The ray's nearest hit. A hit's t is its first value.
+template <Real T>
+[[nodiscard]] Nearest<TriangleHit<T>> nearest(const Ray<T>& ray, const TriangleArrays<T>& triangles) noexcept;
+template <Real T>
+[[nodiscard]] Nearest<SphereHit<T>> nearest(const Ray<T>& ray, const SphereArrays<T>& spheres) noexcept;
+
 }  // namespace graze::batch

@@ -47,11 +47,7 @@ template <Real T>
 void hits(const Ray<T>& ray, const TriangleArrays<T>& triangles, std::uint64_t* mask) noexcept {
   const auto sheared = shear(ray);
   if (!sheared) return decide(ray, triangles, mask);
-  const TriangleColumns<T> c = columns(triangles);
-  TriangleColumns<T> along{};
-  for (int corner = 0; corner < 9; corner += 3) {
-    for (int k = 0; k < 3; ++k) along.column[corner + k] = c.column[corner + sheared->axis[k]];
-  }
+  const TriangleColumns<T> along = columns_along(*sheared, triangles);
   decide(ray, triangles, mask,
          [&](std::size_t first, std::size_t count, Verdicts& out) { settle(*sheared, along, first, count, out); });
 }

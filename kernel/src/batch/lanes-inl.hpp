@@ -77,8 +77,8 @@ HWY_INLINE Lanes<D> magnitude_sum(const Vector3<D>& v) {
   return hn::Add(hn::Add(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
 }
 
-/// The numbers at lane i and after of n arrays, or, where not `many`, of n single numbers, which are spread over the lanes once.
-/// Null columns stand for defaults, and are not read.
+/// The numbers at lane i and after of n arrays, or, where not `many`, of n single numbers, which are spread over the lanes
+/// once. Null columns stand for defaults, and are not read.
 template <class D, int n, bool many>
 class Source {
  public:

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "batch/bounds.hpp"
+#include "batch/columns.hpp"
 #include "batch/verdicts.hpp"
 #include "graze/numeric/filter.hpp"
 
@@ -35,6 +36,17 @@ template <Real T>
   if (out.has_most) out.most = ray.t_max * d[last];
   if (!(__builtin_fabs(out.least) <= Bounds<T>::high && __builtin_fabs(out.most) <= Bounds<T>::high)) return {};
   return out;
+}
+
+/// The triangles' columns in the order of the ray's axes.
+template <Real T>
+[[nodiscard]] inline TriangleColumns<T> columns_along(const ShearedRay<T>& ray, const TriangleArrays<T>& triangles) noexcept {
+  const TriangleColumns<T> c = columns(triangles);
+  TriangleColumns<T> along{};
+  for (int corner = 0; corner < 9; corner += 3) {
+    for (int k = 0; k < 3; ++k) along.column[corner + k] = c.column[corner + ray.axis[k]];
+  }
+  return along;
 }
 
 }  // namespace graze::batch
