@@ -59,7 +59,12 @@ std::string family_notes(const Report& report) {
     const Family* family = row.is_mesh ? nullptr : find_family(row.name);
     if (family == nullptr || last == row.name) continue;
     last = row.name;
-    markup += element("dt", row.name) + element("dd", family->attacks) + "\n";
+    const Note& note = family->note;
+    markup += element("dt", row.name) + "<dd>" + escaped(family->attacks) +
+              element("p", "The bug: " + std::string(note.bug) + ". What is seen of it: " + std::string(note.effect) +
+                               ". Published: " + std::string(note.published) + ".",
+                      "class='soft'") +
+              "</dd>\n";
   }
   return markup.empty() ? markup : "<h2>What the families attack</h2>\n<dl>\n" + markup + "</dl>\n";
 }
