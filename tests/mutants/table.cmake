@@ -188,10 +188,10 @@ graze_mutant(
 
 graze_mutant(
   face_error_too_small
-  MODELS "the bound of a face's numbers too small by 2^10"
+  MODELS "the bound of a face's numbers too small by 2^16"
   FILE src/rounding/face.cpp
   FIND [[terms, relative, pair_quotient_error]]
-  REPLACE [[terms, 0x1p-10 * relative, 0x1p-10 * pair_quotient_error]])
+  REPLACE [[terms, 0x1p-16 * relative, 0x1p-16 * pair_quotient_error]])
 
 graze_mutant(
   subnormal_exponent
