@@ -11,6 +11,7 @@
 #include "cli/merge.hpp"
 #include "cli/shrink.hpp"
 #include "cli/subject_worker.hpp"
+#include "cli/trace.hpp"
 
 namespace {
 
@@ -24,6 +25,8 @@ int run(int argc, char** argv) {
   graze::cli::add_families(program, status);
   graze::cli::add_merge(program, status);
   graze::cli::add_shrink(program, status);
+  graze::cli::add_trace(program, status);
+  graze::cli::add_inside(program, status);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

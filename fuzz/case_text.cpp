@@ -16,14 +16,8 @@
 namespace graze::fuzz {
 namespace {
 
-struct QueryText {
-  std::string_view name;
-  std::string_view numbers;  // the words of the contract, without the range
-  bool has_range;
-};
-
 // In the order of the alternatives of Case.
-constexpr std::array<QueryText, 5> queries = {{
+constexpr std::array<NumbersText, 5> queries = {{
     {"ray_sphere", "ex ey ez dx dy dz cx cy cz r", true},
     {"ray_triangle", "ex ey ez dx dy dz ax ay az bx by bz cx cy cz", true},
     {"point_line", "px py a b c", false},
@@ -36,11 +30,11 @@ constexpr std::size_t most_numbers = 17;  // of ray_triangle with its range
 
 LineError unknown_query(std::string_view word) {
   std::string what = "unknown query " + quoted(word) + "; the queries are";
-  for (const QueryText& query : queries) what.append(query.name == queries[0].name ? " " : ", ").append(query.name);
+  for (const NumbersText& query : queries) what.append(query.name == queries[0].name ? " " : ", ").append(query.name);
   return {std::move(what)};
 }
 
-LineError no_number(std::string_view word, const QueryText& query, std::size_t index) {
+LineError no_number(std::string_view word, const NumbersText& query, std::size_t index) {
   std::string names(query.numbers);
   if (query.has_range) names += " t_min t_max";
   std::string_view rest = names;
@@ -49,7 +43,7 @@ LineError no_number(std::string_view word, const QueryText& query, std::size_t i
   return {quoted(word) + " is no number (" + std::string(name) + " of " + std::string(query.name) + ")"};
 }
 
-LineError wrong_count(const QueryText& query, std::size_t count, std::size_t given) {
+LineError wrong_count(const NumbersText& query, std::size_t count, std::size_t given) {
   std::string what(query.name);
   what.append(" takes ").append(std::to_string(count)).append(" numbers, ").append(query.numbers);
   if (query.has_range) what.append(", or ").append(std::to_string(count + 2)).append(" with t_min t_max");
@@ -57,22 +51,32 @@ LineError wrong_count(const QueryText& query, std::size_t count, std::size_t giv
   return {std::move(what)};
 }
 
-/// Reads the numbers of a Query from what follows its name.
-template <class Query, Real T>
-std::variant<Case<T>, LineError> parse_query(const QueryText& text, std::string_view rest) {
-  Query query;
-  std::array<T*, most_numbers> numbers{};
-  std::size_t most = 0;
-  for_each_number(query, [&](T& number) { numbers[most++] = &number; });
+}  // namespace
+
+template <Real T>
+std::optional<LineError> parse_numbers(const NumbersText& text, std::string_view line, std::span<T* const> numbers) {
+  const std::size_t most = numbers.size(), least = text.has_range ? most - 2 : most;
   std::size_t given = 0;
-  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++given) {
+  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line), ++given) {
     if (given >= most) continue;
     const std::optional<T> number = parse_number<T>(word);
     if (!number) return no_number(word, text, given);
     *numbers[given] = *number;
   }
-  const std::size_t least = text.has_range ? most - 2 : most;
   if (given != least && given != most) return wrong_count(text, least, given);
+  return {};
+}
+
+namespace {
+
+/// Reads the numbers of a Query from what follows its name.
+template <class Query, Real T>
+std::variant<Case<T>, LineError> parse_query(const NumbersText& text, std::string_view rest) {
+  Query query;
+  std::array<T*, most_numbers> numbers{};
+  std::size_t most = 0;
+  for_each_number(query, [&](T& number) { numbers[most++] = &number; });
+  if (auto error = parse_numbers<T>(text, rest, std::span(numbers).first(most))) return *std::move(error);
   return Case<T>(query);
 }
 
@@ -186,5 +190,8 @@ template std::string format_case(const Case<float>&, NumberForm);
 template std::string format_case(const Case<double>&, NumberForm);
 template std::string format_answer(const Case<float>&, const Answer<float>&, Details);
 template std::string format_answer(const Case<double>&, const Answer<double>&, Details);
+
+template std::optional<LineError> parse_numbers(const NumbersText&, std::string_view, std::span<float* const>);
+template std::optional<LineError> parse_numbers(const NumbersText&, std::string_view, std::span<double* const>);
 
 }  // namespace graze::fuzz

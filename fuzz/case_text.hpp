@@ -1,6 +1,8 @@
 // The case protocol of the contract: one case a line, one answer a line.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,6 +25,18 @@ struct LineError {
 /// every program starts with.
 template <Real T>
 [[nodiscard]] std::variant<Case<T>, LineError> parse_case(std::string_view line);
+
+/// What the numbers of a line are called: "a ray takes 6 numbers, ex ey ez dx dy dz, or 8 with t_min t_max".
+struct NumbersText {
+  std::string_view name;
+  std::string_view numbers;  ///< their names, parted by blanks, without the range
+  bool has_range;            ///< whether t_min t_max may follow, both or neither
+};
+
+/// Reads a line of numbers alone, as parse_case does, into `numbers`, the range's two included.
+template <Real T>
+[[nodiscard]] std::optional<LineError> parse_numbers(const NumbersText& text, std::string_view line,
+                                                     std::span<T* const> numbers);
 
 /// How numbers are written; both forms read back to the same bits.
 enum class NumberForm {

@@ -2,6 +2,7 @@
 #include "fuzz/same_bits.hpp"
 #include "fuzz/scene/truth.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/each_target.hpp"
 #include "tests/support/formats.hpp"
 #include "tests/support/in_mode.hpp"
 
@@ -73,6 +74,27 @@ TEST_CASE("Every environment gives the same answers, whichever the scene was bui
           const bool is_same = plain == in_mode(environment, ask<T>, scene, ray) && plain == ask(other, ray);
           if (is_same) continue;
           CAPTURE(environment);
+          REQUIRE(is_same);
+        }
+      }
+    });
+  });
+}
+
+TEST_CASE("Every target gives the same answers") {
+  const EachTarget targets;
+  CHECK(targets.size() > 1);
+  in_both_formats([&]<Real T>() {
+    each_scene<T>(60, [&](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+      for (int r = 0; r < 20; ++r) {
+        const Ray<T> ray = fuzz::draft_ray(draft, random);
+        targets.choose(0);
+        const Answers<T> first = ask(scene, ray);
+        for (std::size_t t = 1; t < targets.size(); ++t) {
+          targets.choose(t);
+          const bool is_same = ask(scene, ray) == first;
+          if (is_same) continue;
+          CAPTURE(r, t);
           REQUIRE(is_same);
         }
       }

@@ -58,6 +58,9 @@ class Scene {
   /// The same where viewed points or spheres have been moved in place.
   [[nodiscard]] BuildStatus refit();
 
+  /// Whether the ray is valid, and if not, why it has no answer.
+  [[nodiscard]] static Status status_of(const Ray<T>& ray) noexcept;
+
   /// The hit of least exact t; of equal t, the one of the lowest index.
   [[nodiscard]] SceneHit<T> closest(const Ray<T>& ray, const QueryOptions& options = {}) const noexcept;
   /// Whether there is a hit. False for an invalid ray.

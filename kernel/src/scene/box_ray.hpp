@@ -41,6 +41,7 @@ namespace graze::scene {
 struct BoxRay {
   float reciprocal[3];
   float near_offset[3], far_offset[3];
+  int is_backward[3] = {};                         ///< 1 where the plane met first is the high one
   float high = std::numeric_limits<float>::max();  ///< s_high
   double start = 0;                                ///< tau0
   int time_exponent = 0;                           ///< tau = t 2^time_exponent
@@ -50,6 +51,7 @@ struct BoxRay {
 
   /// t 2^time_exponent, within 2^-52 of it; 0, subnormal or infinite where it is.
   [[nodiscard]] double tau(double t) const noexcept {
+    if (time_exponent >= -1000 && time_exponent <= 1000) return t * power_of_two(time_exponent);
     const int first = std::clamp(time_exponent / 2, -1000, 1000), second = std::clamp(time_exponent - first, -1000, 1000);
     const int third = std::clamp(time_exponent - first - second, -1000, 1000);
     return t * power_of_two(first) * power_of_two(second) * power_of_two(third);
@@ -123,6 +125,8 @@ template <Real T>
     }
     return out;
   }
+  double r[3];
+  for (int k = 0; k < 3; ++k) r[k] = 1 / direction.d[k];
   // Every hit has |tau| <= 2^41, so clamping at 2^60 loses none. A subnormal t_min may be read as 0, which is 2^-1022 off.
   double start = 0;
   if (numeric::magnitude_bits(ray.t_min) != 0) {
@@ -130,12 +134,15 @@ template <Real T>
     const double error = 0x1p-50 * __builtin_fabs(tau) + out.tau(0x1p-1021) + 0x1p-1000;
     start = std::clamp(tau - error, -0x1p60, 0x1p60);
   }
-  for (int k = 0; k < 3; ++k) {
-    const double d = direction.d[k], size = __builtin_fabs(d);
-    if (size < 0x1p-30) continue;
-    // The quotient errs by less than the margin, so this is at most the tau at which the ray enters the root.
-    const double entry = ((d > 0 ? root.low[k] : root.high[k]) - e[k]) / d - 0x1p-45 * (1 + __builtin_fabs(e[k])) / size;
-    start = std::max(start, std::min(entry, 0x1p60));
+  if (far > 1 || start != 0) {
+    for (int k = 0; k < 3; ++k) {
+      const double d = direction.d[k];
+      if (__builtin_fabs(d) < 0x1p-30) continue;
+      // The product errs by less than the margin, so this is at most the tau at which the ray enters the root.
+      const double plane = d > 0 ? root.low[k] : root.high[k];
+      const double entry = (plane - e[k]) * r[k] - 0x1p-45 * (1 + __builtin_fabs(e[k])) * __builtin_fabs(r[k]);
+      start = std::max(start, std::min(entry, 0x1p60));
+    }
   }
   out.start = start;
   double f[3];
@@ -148,14 +155,15 @@ template <Real T>
     const double d = direction.d[k];
     const double error =
         0x1p-50 * (__builtin_fabs(e[k]) + __builtin_fabs(start * d)) + 0x1p-110 * __builtin_fabs(start) + 0x1p-100;
-    double g = 0x1p-21 * __builtin_fabs(f[k]) + 2 * error + 0x1p-90, r = 1 / d;
+    double g = 0x1p-21 * __builtin_fabs(f[k]) + 2 * error + 0x1p-90, reciprocal_of_d = r[k];
     if (__builtin_fabs(d) < 0x1p-60) {
-      r = (numeric::bits_of(d) & numeric::sign_bit<double>) != 0 ? -0x1p60 : 0x1p60;
+      reciprocal_of_d = (numeric::bits_of(d) & numeric::sign_bit<double>) != 0 ? -0x1p60 : 0x1p60;
       g += 0x1p-58 * (1 + largest);
     }
-    const auto reciprocal = static_cast<float>(r);
+    const auto reciprocal = static_cast<float>(reciprocal_of_d);
     const double exact = reciprocal, size = __builtin_fabs(exact);
     out.reciprocal[k] = reciprocal;
+    out.is_backward[k] = reciprocal < 0 ? 1 : 0;
     out.near_offset[k] = static_cast<float>(f[k] * exact + g * size);
     out.far_offset[k] = static_cast<float>(f[k] * exact - g * size);
   }

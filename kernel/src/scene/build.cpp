@@ -38,7 +38,7 @@ struct Draft {
 };
 
 constexpr int bins = 16;
-/// Below this depth ranges are halved by number: at most 31 levels more, within `deepest` of walk.hpp.
+/// Below this depth ranges are halved by number: at most 31 levels more, within `deepest`.
 constexpr int deepest_by_area = 60;
 
 struct Bin {

@@ -9,6 +9,8 @@
 namespace graze::scene {
 
 inline constexpr int width = 8;
+/// Levels of the hierarchy, at most; see build.cpp.
+inline constexpr int deepest = 100;
 
 /// A child: an inner node, or a block of triangles or of spheres; or nothing, whose box nothing meets but a blind ray.
 class Child {
@@ -18,7 +20,8 @@ class Child {
   [[nodiscard]] static constexpr Child spheres(std::uint32_t i) noexcept { return Child(i | leaf | sphere); }
   [[nodiscard]] static constexpr Child nothing() noexcept { return Child(~std::uint32_t(0)); }
 
-  constexpr Child() noexcept = default;
+  /// Not initialised, for stacks of many.
+  Child() noexcept = default;
   [[nodiscard]] constexpr bool is_nothing() const noexcept { return bits_ == ~std::uint32_t(0); }
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return (bits_ & leaf) != 0; }
   [[nodiscard]] constexpr bool is_spheres() const noexcept { return (bits_ & sphere) != 0; }
@@ -28,7 +31,7 @@ class Child {
  private:
   static constexpr std::uint32_t leaf = std::uint32_t(1) << 31, sphere = std::uint32_t(1) << 30;
   explicit constexpr Child(std::uint32_t bits) noexcept : bits_(bits) {}
-  std::uint32_t bits_ = ~std::uint32_t(0);
+  std::uint32_t bits_;
 };
 
 /// bounds[0] are the low, bounds[1] the high ones; by axis, then child.
@@ -43,6 +46,12 @@ struct alignas(32) Node {
     }
     children[i] = child;
   }
+  /// Bits of the children that are something.
+  [[nodiscard]] unsigned occupied() const noexcept {
+    unsigned bits = 0;
+    for (int i = 0; i < width; ++i) bits |= static_cast<unsigned>(!children[i].is_nothing()) << i;
+    return bits;
+  }
   [[nodiscard]] Box box(int i) const noexcept {
     return {{bounds[0][0][i], bounds[0][1][i], bounds[0][2][i]}, {bounds[1][0][i], bounds[1][1][i], bounds[1][2][i]}};
   }
@@ -50,7 +59,7 @@ struct alignas(32) Node {
 
 /// Lanes that hold nothing come last; their index is no_primitive.
 template <Real T>
-struct alignas(32) TriangleBlock {
+struct alignas(64) TriangleBlock {
   T corners[3][3][width];  ///< by corner a, b, c, then axis
   std::uint32_t index[width];
 
@@ -70,7 +79,7 @@ struct alignas(32) TriangleBlock {
 };
 
 template <Real T>
-struct alignas(32) SphereBlock {
+struct alignas(64) SphereBlock {
   T center[3][width];
   T radius[width];
   std::uint32_t index[width];

@@ -1,178 +1,95 @@
-// closest, any, count, all, ties.
+// closest, any, count, all, ties, inside.
 #include <algorithm>
-#include <new>
 
 #include "exact/validate.hpp"
 #include "graze/scene.hpp"
 #include "graze/sphere.hpp"
 #include "graze/triangle.hpp"
+#include "scene/kernels.hpp"
 #include "scene/parallel.hpp"
-#include "scene/walk.hpp"
 
 namespace graze {
 namespace scene {
 namespace {
 
-template <Real T>
-[[nodiscard]] Status status_of(const Ray<T>& ray) noexcept {
-  return exact::status_of(ray, true, false);
-}
-
-/// Calls hit(candidate, enclosure) for each primitive met, its enclosure not yet filled in, until one returns true.
-template <Real T, class Tally, class Hit>
-void each_hit(const Query<T, Tally>& query, BoxRay& box_ray, Hit hit) noexcept {
-  walk(query, box_ray, [&](Child leaf) {
-    if (!leaf.is_spheres()) {
-      const TriangleBlock<T>& block = query.data.triangles[leaf.index()];
-      return meet(query, block, [&](int i, auto enclosure) {
-        return hit(
-            [&] {
-              return Candidate<T>{Shape::triangle, block.index[i], {}, block.triangle(i), {}};
-            },
-            enclosure, block.index[i]);
-      });
-    }
-    const SphereBlock<T>& block = query.data.spheres[leaf.index()];
-    return meet(query, block, [&](int i, auto enclosure) {
-      return hit(
-          [&] {
-            return Candidate<T>{Shape::sphere, block.index[i], {}, {}, block.sphere(i)};
-          },
-          enclosure, block.index[i]);
-    });
-  });
-}
-
 template <Real T, class Tally>
-[[nodiscard]] bool comes_before(const Query<T, Tally>& query, const Candidate<T>& one, const Candidate<T>& other) noexcept {
-  if (one.t.high < other.t.low) return true;
-  if (one.t.low > other.t.high) return false;
-  query.tally.template add<&Statistics::exact_orders>(1);
-  const int order = compare_exactly(query.ray, one, other);
-  return order != 0 ? order < 0 : one.index < other.index;
-}
-
-template <Real T, class Tally>
-[[nodiscard]] SceneHit<T> rounded(const Query<T, Tally>& query, const Candidate<T>& c) noexcept {
+[[nodiscard]] SceneHit<T> rounded(const Query<T, Tally>& query, const Candidate& c) noexcept {
   query.tally.template add<&Statistics::roundings>(1);
   SceneHit<T> hit;
   hit.shape = c.shape;
   hit.index = c.index;
-  if (c.shape == Shape::triangle) hit.triangle = intersect(query.ray, c.triangle);
-  if (c.shape == Shape::sphere) hit.sphere = intersect(query.ray, c.sphere);
+  if (c.shape == Shape::sphere) {
+    hit.sphere = intersect(query.ray, query.data.spheres[c.block].sphere(c.lane));
+  } else {
+    const Triangle<T> triangle = query.data.triangles[c.block].triangle(c.lane);
+    hit.triangle = c.is_face ? rounding::face(query.ray, triangle, c.terms) : intersect(query.ray, triangle);
+  }
   return hit;
-}
-
-template <Real T>
-[[nodiscard]] BoxRay box_ray(const Data<T>& data, const Ray<T>& ray) noexcept {
-  return box_ray(data.space, data.root, ray);
 }
 
 template <Real T, class Tally>
 [[nodiscard]] SceneHit<T> closest(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) noexcept {
   SceneHit<T> answer;
-  answer.status = status_of(ray);
+  answer.status = Scene<T>::status_of(ray);
   if (answer.status != Status::ok) return answer;
-  const Query<T, Tally> query(data, ray, options, tally);
-  BoxRay box = box_ray(data, ray);
-  Candidate<T> best;
-  each_hit(query, box, [&](auto candidate, auto enclosure, std::uint32_t) {
-    const Enclosure t = enclosure();
-    if (best.shape != Shape::none && t.low > best.t.high) return false;
-    Candidate<T> found = candidate();
-    found.t = t;
-    if (best.shape == Shape::none || comes_before(query, found, best)) {
-      // What comes first is not after the other's upper bound either.
-      if (best.shape != Shape::none) found.t.high = std::min(found.t.high, best.t.high);
-      best = found;
-      box.end_at(best.t.high);
-    }
-    return false;
-  });
-  if (best.shape == Shape::none) return answer;
-  return rounded(query, best);
+  const Query<T, Tally> query{data, ray, options, tally};
+  Candidate best;
+  kernels(query).closest(query, best);
+  return best.shape == Shape::none ? answer : rounded(query, best);
 }
 
 template <Real T, class Tally>
 [[nodiscard]] bool any(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) noexcept {
-  if (status_of(ray) != Status::ok) return false;
-  const Query<T, Tally> query(data, ray, options, tally);
-  BoxRay box = box_ray(data, ray);
-  bool found = false;
-  each_hit(query, box, [&](auto, auto, std::uint32_t) { return found = true; });
-  return found;
+  if (Scene<T>::status_of(ray) != Status::ok) return false;
+  const Query<T, Tally> query{data, ray, options, tally};
+  return kernels(query).any(query);
 }
 
 template <Real T, class Tally>
 [[nodiscard]] std::uint64_t count(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) noexcept {
-  if (status_of(ray) != Status::ok) return 0;
-  const Query<T, Tally> query(data, ray, options, tally);
-  BoxRay box = box_ray(data, ray);
-  std::uint64_t n = 0;
-  each_hit(query, box, [&](auto, auto, std::uint32_t) {
-    ++n;
-    return false;
-  });
-  return n;
-}
-
-/// Every hit, in no order; with `only_closest` those that may share the least t.
-template <Real T, class Tally>
-[[nodiscard]] std::vector<Candidate<T>> collect(const Query<T, Tally>& query, bool only_closest) {
-  BoxRay box = box_ray(query.data, query.ray);
-  std::vector<Candidate<T>> found;
-  double least = std::numeric_limits<double>::infinity();
-  bool is_out_of_memory = false;
-  each_hit(query, box, [&](auto candidate, auto enclosure, std::uint32_t) {
-    const Enclosure t = enclosure();
-    if (only_closest && t.low > least) return false;
-    try {
-      found.push_back(candidate());
-    } catch (const std::bad_alloc&) {
-      return is_out_of_memory = true;
-    }
-    found.back().t = t;
-    if (only_closest && t.high < least) {
-      least = t.high;
-      box.end_at(least);
-    }
-    return false;
-  });
-  if (is_out_of_memory) throw std::bad_alloc();
-  return found;
+  if (Scene<T>::status_of(ray) != Status::ok) return 0;
+  const Query<T, Tally> query{data, ray, options, tally};
+  return kernels(query).count(query);
 }
 
 template <Real T, class Tally>
 [[nodiscard]] std::vector<SceneHit<T>> all(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) {
-  if (status_of(ray) != Status::ok) return {};
-  const Query<T, Tally> query(data, ray, options, tally);
-  std::vector<Candidate<T>> found = collect(query, false);
+  if (Scene<T>::status_of(ray) != Status::ok) return {};
+  const Query<T, Tally> query{data, ray, options, tally};
+  std::vector<Candidate> found;
+  kernels(query).collect(query, false, found);
   std::sort(found.begin(), found.end(), [&](const auto& one, const auto& other) { return comes_before(query, one, other); });
   std::vector<SceneHit<T>> hits;
   hits.reserve(found.size());
-  for (const Candidate<T>& c : found) hits.push_back(rounded(query, c));
+  for (const Candidate& c : found) hits.push_back(rounded(query, c));
   return hits;
 }
 
 template <Real T>
 [[nodiscard]] std::vector<SceneHit<T>> ties(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options) {
-  if (status_of(ray) != Status::ok) return {};
-  const Query<T, Silent> query(data, ray, options, {});
-  std::vector<Candidate<T>> found = collect(query, true);
-  std::vector<Candidate<T>> least;
-  for (const Candidate<T>& c : found) {
-    const int order = least.empty()               ? -1
-                      : c.t.low > least[0].t.high ? 1
-                      : c.t.high < least[0].t.low ? -1
-                                                  : compare_exactly(ray, c, least[0]);
+  if (Scene<T>::status_of(ray) != Status::ok) return {};
+  const Query<T, Silent> query{data, ray, options, {}};
+  std::vector<Candidate> found, least;
+  kernels(query).collect(query, true, found);
+  for (const Candidate& c : found) {
+    const int order = least.empty() ? -1 : compare(query, c, least[0]);
     if (order < 0) least.clear();
     if (order <= 0) least.push_back(c);
   }
   std::sort(least.begin(), least.end(), [](const auto& one, const auto& other) { return one.index < other.index; });
   std::vector<SceneHit<T>> hits;
   hits.reserve(least.size());
-  for (const Candidate<T>& c : least) hits.push_back(rounded(query, c));
+  for (const Candidate& c : least) hits.push_back(rounded(query, c));
   return hits;
+}
+
+template <Real T, class Tally>
+[[nodiscard]] Place inside(const Data<T>& data, const Vec3<T>& point, Tally tally) noexcept {
+  if (!data.is_closed || !numeric::is_finite(point)) return Place::unknown;
+  const Ray<T> ray{point, {T(1), T(0), T(0)}};
+  const QueryOptions options;
+  const Query<T, Tally> query{data, ray, options, tally};
+  return kernels(query).inside(query);
 }
 
 /// Rays a task: enough to pay for it.
@@ -187,6 +104,11 @@ void each(std::span<const Question> questions, std::span<Answer> answers, Thread
 
 }  // namespace
 }  // namespace scene
+
+template <Real T>
+Status Scene<T>::status_of(const Ray<T>& ray) noexcept {
+  return exact::status_of(ray, true, false);
+}
 
 template <Real T>
 SceneHit<T> Scene<T>::closest(const Ray<T>& ray, const QueryOptions& options) const noexcept {
@@ -226,6 +148,15 @@ std::vector<SceneHit<T>> Scene<T>::ties(const Ray<T>& ray, const QueryOptions& o
 }
 
 template <Real T>
+Place Scene<T>::inside(const Vec3<T>& point) const noexcept {
+  return scene::inside(*data_, point, scene::Silent{});
+}
+template <Real T>
+Place Scene<T>::inside(const Vec3<T>& point, Statistics& statistics) const noexcept {
+  return scene::inside(*data_, point, scene::Counting{statistics});
+}
+
+template <Real T>
 void Scene<T>::closest(std::span<const Ray<T>> rays, std::span<SceneHit<T>> answers, const QueryOptions& options,
                        Threads threads) const {
   scene::each(rays, answers, threads, [&](const Ray<T>& ray) { return closest(ray, options); });
@@ -244,8 +175,16 @@ void Scene<T>::all(std::span<const Ray<T>> rays, std::span<std::vector<SceneHit<
                    Threads threads) const {
   scene::each(rays, answers, threads, [&](const Ray<T>& ray) { return all(ray, options); });
 }
+template <Real T>
+void Scene<T>::inside(std::span<const Vec3<T>> points, std::span<Place> answers, Threads threads) const {
+  scene::each(points, answers, threads, [&](const Vec3<T>& point) { return inside(point); });
+}
 
 #define GRAZE_QUERIES(T)                                                                                                \
+  template Status Scene<T>::status_of(const Ray<T>&) noexcept;                                                          \
+  template Place Scene<T>::inside(const Vec3<T>&) const noexcept;                                                       \
+  template Place Scene<T>::inside(const Vec3<T>&, Statistics&) const noexcept;                                          \
+  template void Scene<T>::inside(std::span<const Vec3<T>>, std::span<Place>, Threads) const;                            \
   template SceneHit<T> Scene<T>::closest(const Ray<T>&, const QueryOptions&) const noexcept;                            \
   template SceneHit<T> Scene<T>::closest(const Ray<T>&, const QueryOptions&, Statistics&) const noexcept;               \
   template bool Scene<T>::any(const Ray<T>&, const QueryOptions&) const noexcept;                                       \

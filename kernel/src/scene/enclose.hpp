@@ -1,8 +1,7 @@
-// A hit on the way: which primitive, and an interval that holds its exact first value.
+// Intervals that hold a hit's exact first value, from what the filter has computed.
 #pragma once
 
 #include "exact/order.hpp"
-#include "graze/scene/query.hpp"
 #include "graze/sphere.hpp"
 #include "graze/triangle.hpp"
 
@@ -10,16 +9,7 @@ namespace graze::scene {
 
 using exact::Enclosure;
 
-template <Real T>
-struct Candidate {
-  Shape shape = Shape::none;
-  std::uint32_t index = no_primitive;
-  Enclosure t{};
-  Triangle<T> triangle{};  ///< where `shape` is triangle
-  Sphere<T> sphere{};      ///< where `shape` is sphere
-};
-
-/// t = distance / determinant of a face that the filter is sure of. With numbers n, d within a, b of the true ones, d > b, the
+/// t = distance / whole where the determinant's sign is certain. With numbers n, d within a, b of the true ones, d > b, the
 /// quotients differ by at most (a + |n/d| b) / (d - b). Nothing here is near overflow or underflow (numeric/filter.hpp).
 [[nodiscard]] inline Enclosure enclose(const predicates::TriangleTerms<double>& terms) noexcept {
   const double t = terms.distance / terms.whole, size = numeric::magnitude(t);
@@ -48,17 +38,6 @@ template <Real T>
   }
   const double t = terms.c / q, error = magnitude(t) * relative + 4 * terms.c_error / size;
   return {t - error, t + error};
-}
-
-/// Which comes first of two that the ray meets: the sign of one's exact first value minus the other's.
-template <Real T>
-[[nodiscard]] inline int compare_exactly(const Ray<T>& ray, const Candidate<T>& one, const Candidate<T>& other) noexcept {
-  if (one.shape == Shape::triangle) {
-    return other.shape == Shape::triangle ? exact::compare_first(ray, one.triangle, other.triangle)
-                                          : exact::compare_first(ray, one.triangle, other.sphere);
-  }
-  return other.shape == Shape::triangle ? exact::compare_first(ray, one.sphere, other.triangle)
-                                        : exact::compare_first(ray, one.sphere, other.sphere);
 }
 
 }  // namespace graze::scene

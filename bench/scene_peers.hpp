@@ -1,0 +1,129 @@
+// Embree's scenes, for times and losses beside ours.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <cstring>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "fuzz/mesh/mesh.hpp"
+#include "graze/types.hpp"
+
+namespace graze::bench {
+
+/// A triangle mesh in Embree, in float.
+class EmbreeScene {
+ public:
+  EmbreeScene(const fuzz::Mesh& mesh, bool is_robust, const char* config = "threads=1") : device_(rtcNewDevice(config)) {
+    scene_ = rtcNewScene(device_);
+    if (is_robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* points = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.points.size()));
+    for (const Vec3<double>& p : mesh.points) {
+      *points++ = static_cast<float>(p.x);
+      *points++ = static_cast<float>(p.y);
+      *points++ = static_cast<float>(p.z);
+    }
+    void* corners = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
+                                            mesh.triangles.size());
+    std::memcpy(corners, mesh.triangles.data(), mesh.triangles.size() * 3 * sizeof(unsigned));
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_);
+  }
+  ~EmbreeScene() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  /// The index of the closest triangle, or RTC_INVALID_GEOMETRY_ID.
+  [[nodiscard]] unsigned closest(const Ray<float>& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit query = ray_hit(ray);
+    rtcIntersect1(scene_, &context, &query);
+    return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? RTC_INVALID_GEOMETRY_ID : query.hit.primID;
+  }
+  [[nodiscard]] bool any(const Ray<float>& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay query = ray_hit(ray).ray;
+    rtcOccluded1(scene_, &context, &query);
+    return query.tfar < 0;
+  }
+  /// All at once; the number of hits.
+  [[nodiscard]] std::size_t closest_stream(std::span<const Ray<float>> rays, std::vector<RTCRayHit>& space,
+                                           bool is_coherent) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = is_coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    space.resize(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) space[i] = ray_hit(rays[i]);
+    rtcIntersect1M(scene_, &context, space.data(), static_cast<unsigned>(rays.size()), sizeof(RTCRayHit));
+    std::size_t hits = 0;
+    for (const RTCRayHit& query : space) hits += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    return hits;
+  }
+  /// Eight at a time; the number of hits.
+  [[nodiscard]] std::size_t closest_packets(std::span<const Ray<float>> rays, bool is_coherent) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = is_coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    alignas(32) int valid[8];
+    RTCRayHit8 packet;
+    std::size_t hits = 0;
+    for (std::size_t first = 0; first + 8 <= rays.size(); first += 8) {
+      for (int i = 0; i < 8; ++i) {
+        const Ray<float>& ray = rays[first + i];
+        valid[i] = -1;
+        packet.ray.org_x[i] = ray.origin.x;
+        packet.ray.org_y[i] = ray.origin.y;
+        packet.ray.org_z[i] = ray.origin.z;
+        packet.ray.dir_x[i] = ray.direction.x;
+        packet.ray.dir_y[i] = ray.direction.y;
+        packet.ray.dir_z[i] = ray.direction.z;
+        packet.ray.tnear[i] = ray.t_min;
+        packet.ray.tfar[i] = ray.t_max;
+        packet.ray.time[i] = 0;
+        packet.ray.mask[i] = ~0U;
+        packet.ray.flags[i] = 0;
+        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+      }
+      rtcIntersect8(valid, scene_, &context, &packet);
+      for (const unsigned id : packet.hit.geomID) hits += id != RTC_INVALID_GEOMETRY_ID;
+    }
+    return hits;
+  }
+
+ private:
+  [[nodiscard]] static RTCRayHit ray_hit(const Ray<float>& ray) {
+    RTCRayHit query;
+    query.ray = {ray.origin.x,
+                 ray.origin.y,
+                 ray.origin.z,
+                 ray.t_min,
+                 ray.direction.x,
+                 ray.direction.y,
+                 ray.direction.z,
+                 0,
+                 ray.t_max,
+                 ~0U,
+                 0,
+                 0};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return query;
+  }
+
+  RTCDevice device_;
+  RTCScene scene_;
+};
+
+}  // namespace graze::bench

@@ -1,0 +1,53 @@
+// The queries' hot loops, compiled for each SIMD target; the machine's best is chosen when they are called.
+#pragma once
+
+#include <vector>
+
+#include "scene/query.hpp"
+
+namespace graze::scene {
+
+/// The hits of a ray, nothing rounded; all answers are exact, so they are the same from every target.
+template <Real T, class Tally>
+struct QueryKernels {
+  /// The closest; shape none for a miss.
+  void (*closest)(const Query<T, Tally>& query, Candidate& best) noexcept;
+  bool (*any)(const Query<T, Tally>& query) noexcept;
+  std::uint64_t (*count)(const Query<T, Tally>& query) noexcept;
+  /// All, in no order; or those alone that may share the least t. Throws std::bad_alloc.
+  void (*collect)(const Query<T, Tally>& query, bool only_closest, std::vector<Candidate>& found);
+  /// The ray is {point, +x} and the scene closed.
+  Place (*inside)(const Query<T, Tally>& query) noexcept;
+};
+
+struct Kernels {
+  QueryKernels<float, Silent> silent_float;
+  QueryKernels<float, Counting> counting_float;
+  QueryKernels<double, Silent> silent_double;
+  QueryKernels<double, Counting> counting_double;
+  /// The children whose boxes the ray meets, as bits, and where it enters them.
+  unsigned (*meet_boxes)(const BoxRay& ray, const Node& node, float* entry) noexcept;
+
+  template <Real T, class Tally>
+  [[nodiscard]] const QueryKernels<T, Tally>& of() const noexcept {
+    if constexpr (std::same_as<T, float> && std::same_as<Tally, Silent>) {
+      return silent_float;
+    } else if constexpr (std::same_as<T, float>) {
+      return counting_float;
+    } else if constexpr (std::same_as<Tally, Silent>) {
+      return silent_double;
+    } else {
+      return counting_double;
+    }
+  }
+};
+
+/// Of the target that this machine takes.
+[[nodiscard]] const Kernels& kernels() noexcept;
+
+template <Real T, class Tally>
+[[nodiscard]] inline const QueryKernels<T, Tally>& kernels(const Query<T, Tally>&) noexcept {
+  return kernels().of<T, Tally>();
+}
+
+}  // namespace graze::scene

@@ -1,0 +1,107 @@
+// Per target: the filter of predicates/triangle_filter.hpp on all lanes of a block. Included anew for each target by
+// kernels.cpp.
+#if defined(GRAZE_SCENE_TRIANGLES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_SCENE_TRIANGLES_INL
+#undef GRAZE_SCENE_TRIANGLES_INL
+#else
+#define GRAZE_SCENE_TRIANGLES_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::scene::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+struct Vectors {
+  V x, y, z;
+};
+
+template <class V>
+HWY_INLINE Vectors<V> difference(const Vectors<V>& a, const Vectors<V>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+template <class V>
+HWY_INLINE V dot(const Vectors<V>& a, const Vectors<V>& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+template <class V>
+HWY_INLINE Vectors<V> cross(const Vectors<V>& a, const Vectors<V>& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+template <class V>
+HWY_INLINE V magnitude_sum(const Vectors<V>& v) {
+  return hn::Add(hn::Add(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
+}
+
+/// Where distance / whole lies against x, as predicates::test_bound.
+template <class M>
+struct BoundTests {
+  M above, below;
+};
+template <class D, class V>
+HWY_INLINE auto test_bound(D d, hn::TFromD<D> x, V whole, V distance, V error, V distance_error) {
+  const V f = hn::NegMulAdd(hn::Set(d, x), whole, distance);
+  const V bound =
+      hn::Mul(hn::Set(d, hn::TFromD<D>(1.25)), hn::MulAdd(hn::Set(d, numeric::magnitude(x)), error, distance_error));
+  return BoundTests<decltype(hn::Gt(f, bound))>{hn::Gt(f, bound), hn::Lt(f, hn::Neg(bound))};
+}
+
+/// The verdicts on a block's lanes, in the format's own precision: the formulas and bounds of predicates::triangle_terms<T> and
+/// predicates::verdict, operation by operation; a product and a sum are one FMA or two operations. The ray's range must be
+/// plain. Lanes that are certainly beyond ray.end are missed.
+template <Real T>
+HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& block) {
+  using numeric::Ordinary;
+  const hn::CappedTag<T, width> d;
+  using V = hn::Vec<decltype(d)>;
+  constexpr std::size_t lanes = hn::MaxLanes(hn::CappedTag<T, width>());
+  const Vectors<V> direction{hn::Set(d, ray.direction.x), hn::Set(d, ray.direction.y), hn::Set(d, ray.direction.z)};
+  const Vectors<V> origin{hn::Set(d, ray.origin.x), hn::Set(d, ray.origin.y), hn::Set(d, ray.origin.z)};
+  const V along = hn::Set(d, ray.direction_sum), low = hn::Set(d, Ordinary<T, T>::low), high = hn::Set(d, Ordinary<T, T>::high);
+  LaneVerdicts out{0, 0};
+  for (std::size_t i = 0; i < width; i += lanes) {
+    const auto corner = [&](int c) HWY_ATTR {
+      return Vectors<V>{hn::Load(d, block.corners[c][0] + i), hn::Load(d, block.corners[c][1] + i),
+                        hn::Load(d, block.corners[c][2] + i)};
+    };
+    const Vectors<V> a = corner(0), e1 = difference(corner(1), a), e2 = difference(corner(2), a),
+                     from_a = difference(origin, a);
+    const Vectors<V> h = cross(direction, e2), g = cross(from_a, e1);
+    const V determinant = dot(e1, h), sign = hn::And(determinant, hn::Set(d, T(-0.0))), whole = hn::Abs(determinant);
+    const V u = hn::Xor(dot(from_a, h), sign), v = hn::Xor(dot(direction, g), sign), w = hn::Sub(hn::Sub(whole, u), v);
+    const V s = hn::Add(magnitude_sum(e1), magnitude_sum(e2)), r = hn::Add(magnitude_sum(from_a), s);
+    const V scale = hn::Mul(hn::Set(d, predicates::triangle_error * numeric::unit_of<T>), hn::Mul(s, r));
+    const V error = hn::Mul(scale, along), distance_error = hn::Mul(scale, s);
+    const auto is_ordinary = hn::And(hn::Ge(hn::Min(s, along), low), hn::Le(hn::Add(along, r), high));
+    const auto is_bounded = hn::And(is_ordinary, hn::Gt(whole, error));
+    const V least = hn::Min(hn::Min(u, v), w);
+    const auto is_beside = hn::Lt(least, hn::Neg(error));
+    if (hn::AllTrue(d, hn::And(is_beside, is_bounded))) continue;
+
+    const V distance = hn::Xor(dot(e2, g), sign);
+    auto is_above = hn::Gt(distance, distance_error);
+    auto is_outside = hn::Lt(distance, hn::Neg(distance_error));
+    if (!ray.has_default_range) {
+      const auto from = test_bound(d, ray.t_min, whole, distance, error, distance_error);
+      is_above = from.above;
+      is_outside = from.below;
+      if (ray.has_t_max) {
+        const auto to = test_bound(d, ray.t_max, whole, distance, error, distance_error);
+        is_above = hn::And(is_above, to.below);
+        is_outside = hn::Or(is_outside, to.above);
+      }
+    }
+    if (ray.has_end) is_outside = hn::Or(is_outside, test_bound(d, ray.end, whole, distance, error, distance_error).above);
+    const auto is_missed = hn::And(is_bounded, hn::Or(is_beside, is_outside));
+    const auto is_face = hn::And(hn::AndNot(is_outside, is_bounded), hn::And(hn::Gt(least, error), is_above));
+    out.face |= bits_of_mask(d, is_face) << i;
+    out.uncertain |= bits_of_mask(d, hn::Not(hn::Or(is_face, is_missed))) << i;
+  }
+  return out;
+}
+
+}  // namespace graze::scene::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

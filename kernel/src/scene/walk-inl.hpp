@@ -1,0 +1,66 @@
+// Per target: the way of a ray through the hierarchy. Included anew for each target by kernels.cpp.
+#if defined(GRAZE_SCENE_WALK_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_SCENE_WALK_INL
+#undef GRAZE_SCENE_WALK_INL
+#else
+#define GRAZE_SCENE_WALK_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::scene::HWY_NAMESPACE {
+
+/// Visits the leaves that the ray meets, nearer ones first as far as their boxes tell, until visitor.leaf(child) returns true.
+/// The visitor may shorten the ray.
+template <Real T, class Tally, class Visitor>
+HWY_INLINE void walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor) {
+  if (query.data.nodes.empty()) return;
+  const Node* const nodes = query.data.nodes.data();
+  struct Entry {
+    Child child;
+    float entry;
+  };
+  Entry stack[deepest * (width - 1) + 1];
+  Entry* top = stack;
+  alignas(64) float entry[width];
+  Child next = Child::node(0);
+  while (true) {
+    while (!next.is_leaf()) {
+      query.tally.template add<&Statistics::nodes>(1);
+      const Node& node = nodes[next.index()];
+      unsigned met = meet_boxes(ray, node, entry);
+      if (HWY_UNLIKELY(ray.is_blind)) met &= node.occupied();
+      if (met == 0) break;
+      const int one = __builtin_ctz(met);
+      met &= met - 1;
+      if (met == 0) {
+        next = node.children[one];
+        continue;
+      }
+      // The nearest is next; the others go on the stack, the farthest first: an insertion sort, for there are few.
+      Entry* const base = top;
+      *top++ = {node.children[one], entry[one]};
+      do {
+        const int i = __builtin_ctz(met);
+        met &= met - 1;
+        const float at = entry[i];
+        Entry* hole = top++;
+        for (; hole > base && hole[-1].entry < at; --hole) *hole = hole[-1];
+        *hole = {node.children[i], at};
+      } while (met != 0);
+      next = (--top)->child;
+    }
+    if (next.is_leaf()) {
+      query.tally.template add<&Statistics::leaves>(1);
+      if (visitor.leaf(next)) return;
+    }
+    do {
+      if (top == stack) return;
+      --top;
+    } while (top->entry > ray.high);
+    next = top->child;
+  }
+}
+
+}  // namespace graze::scene::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
