@@ -61,8 +61,9 @@ std::string family_notes(const Report& report) {
     last = row.name;
     const Note& note = family->note;
     markup += element("dt", row.name) + "<dd>" + escaped(family->attacks) +
-              element("p", "The bug: " + std::string(note.bug) + ". What is seen of it: " + std::string(note.effect) +
-                               ". Published: " + std::string(note.published) + ".",
+              element("p",
+                      "The bug: " + std::string(note.bug) + ". What is seen of it: " + std::string(note.effect) +
+                          ". Published: " + std::string(note.published) + ".",
                       "class='soft'") +
               "</dd>\n";
   }

@@ -1,5 +1,5 @@
-// What a campaign found and on what: a value that can be written, read, merged and shown. Nothing in it depends on the time, the
-// number of threads or the order of work.
+// What a campaign found and on what: a value that can be written, read, merged and shown. Nothing in it depends on the time,
+// the number of threads or the order of work.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ struct MeshIdentity {
 
 /// What the results are true of. Reports of one campaign agree in all of it.
 struct Scope {
-  std::string version;               ///< of graze
-  std::string kernel, about;         ///< the subject's own words
-  Deviations declared;               ///< by the subject
+  std::string version;        ///< of graze
+  std::string kernel, about;  ///< the subject's own words
+  Deviations declared;        ///< by the subject
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;  ///< per family and precision
   std::uint64_t second_oracle_every = 0;

@@ -100,8 +100,7 @@ void print_offenders(const Report& report, std::ostream& out) {
     if (shown == printed_offenders) continue;
     if (shown++ == 0) out << "\nThe worst of each row:\n";
     const Offender& o = tally.offenders.front();
-    out << "\n  " << row.name << ", " << o.precision << ", case " << o.index << ": "
-        << name_of(o.comparison.disagreement);
+    out << "\n  " << row.name << ", " << o.precision << ", case " << o.index << ": " << name_of(o.comparison.disagreement);
     if (o.comparison.error_ulps > 0) out << formatted(", %.4g ulp off", o.comparison.error_ulps);
     out << "\n    answers  " << o.answer << "\n    exact    " << o.truth << "\n    " << replay_command(report, o) << '\n';
   }

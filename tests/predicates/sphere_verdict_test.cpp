@@ -80,7 +80,8 @@ RaySphere<T> near_touch(fuzz::Random& random) {
   }
   // By about as much as the filter errs.
   constexpr int error = std::same_as<W, float> ? 11 : 40;
-  if (!random.one_in(4)) query.sphere.radius += std::ldexp(query.sphere.radius, -random.between(error, error + 10)) * T(random.sign());
+  if (!random.one_in(4))
+    query.sphere.radius += std::ldexp(query.sphere.radius, -random.between(error, error + 10)) * T(random.sign());
   return query;
 }
 
