@@ -44,7 +44,7 @@ measure() {
     tried=$((tried + units))
   done
   [ -n "$fuzzer" ] || fuzzer="not in $tried inputs, $((3 * seconds)) s"
-  models=$(sed -n "/^  *$name\$/,/MODELS/s/^ *MODELS \"\(.*\)\"$/\1/p" tests/mutants/table.cmake | head -n 1)
+  models=$(sed -n "/^  *$name\( FMA\)*\$/,/MODELS/s/^ *MODELS \"\(.*\)\"$/\1/p" tests/mutants/table.cmake | head -n 1)
   echo "| \`$name\` | $models | ${certifier:-not found}$how | $fuzzer |" >"$rows/$name.row"
 }
 
