@@ -36,8 +36,8 @@ template <Real T>
 [[nodiscard]] constexpr Bits<T> bits_of(T x) noexcept {
   auto bits = std::bit_cast<Bits<T>>(x);
 #if defined(__GNUC__)
-  // Where these bits came from is hidden from the optimizer: clang 19 turns a test of them into a comparison of the float, which
-  // denormals-are-zero falsifies.
+  // Where these bits came from is hidden from the optimizer: clang 19 turns a test of them into a comparison of the float,
+  // which denormals-are-zero falsifies.
   if (!std::is_constant_evaluated()) asm("" : "+r"(bits));
 #endif
   return bits;
