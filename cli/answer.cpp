@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "cli/exit_status.hpp"
 #include "cli/kernels.hpp"
 #include "cli/line_source.hpp"
+#include "cli/refuse.hpp"
 #include "fuzz/case_text.hpp"
 #include "fuzz/subject.hpp"
 
@@ -20,13 +20,6 @@ struct Options {
   bool details = false;
   std::string file = "-";
 };
-
-/// Tells on standard error, after the answers so far.
-int refuse(const std::string& message) {
-  std::cout.flush();
-  std::cerr << message << '\n';
-  return exit_bad_input;
-}
 
 template <Real T>
 int answer_lines(const fuzz::Subject& kernel, fuzz::Details details, LineSource& lines) {

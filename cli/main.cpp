@@ -9,6 +9,9 @@
 #include "cli/exit_status.hpp"
 #include "cli/families.hpp"
 #include "cli/merge.hpp"
+#if defined(GRAZE_HAVE_PNG)
+#include "cli/render.hpp"
+#endif
 #include "cli/shrink.hpp"
 #include "cli/subject_worker.hpp"
 #include "cli/trace.hpp"
@@ -24,6 +27,9 @@ int run(int argc, char** argv) {
   graze::cli::add_certify(program, status);
   graze::cli::add_families(program, status);
   graze::cli::add_merge(program, status);
+#if defined(GRAZE_HAVE_PNG)
+  graze::cli::add_render(program, status);
+#endif
   graze::cli::add_shrink(program, status);
   graze::cli::add_trace(program, status);
   graze::cli::add_inside(program, status);

@@ -97,8 +97,25 @@ std::string load_scene(const std::vector<std::string>& files, bool is_closed, Sc
   return status.ok() ? std::string() : told(files, parts, status);
 }
 
+template <Real T>
+std::string view_scene(const std::vector<std::string>& files, const std::vector<Part<T>>& parts, Scene<T>& scene) {
+  std::vector<Part<T>> views;
+  for (const Part<T>& part : parts) {
+    if (const auto* mesh = std::get_if<Mesh<T>>(&part)) {
+      views.push_back(Mesh<T>{mesh->points.get(), mesh->triangles.get(), mesh->mask});
+    } else {
+      const auto& spheres = std::get<Spheres<T>>(part);
+      views.push_back(Spheres<T>{spheres.spheres.get(), spheres.mask});
+    }
+  }
+  const BuildStatus status = scene.build(std::move(views));
+  return status.ok() ? std::string() : told(files, parts, status);
+}
+
 template std::string load_parts(const std::vector<std::string>&, std::vector<Part<float>>&);
 template std::string load_parts(const std::vector<std::string>&, std::vector<Part<double>>&);
+template std::string view_scene(const std::vector<std::string>&, const std::vector<Part<float>>&, Scene<float>&);
+template std::string view_scene(const std::vector<std::string>&, const std::vector<Part<double>>&, Scene<double>&);
 template std::string load_scene(const std::vector<std::string>&, bool, Scene<float>&);
 template std::string load_scene(const std::vector<std::string>&, bool, Scene<double>&);
 

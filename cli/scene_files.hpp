@@ -17,4 +17,8 @@ template <Real T>
 template <Real T>
 [[nodiscard]] std::string load_parts(const std::vector<std::string>& files, std::vector<Part<T>>& parts);
 
+/// A scene that views the parts of those files; they must outlive it. Empty where all is well, else a whole message.
+template <Real T>
+[[nodiscard]] std::string view_scene(const std::vector<std::string>& files, const std::vector<Part<T>>& parts, Scene<T>& scene);
+
 }  // namespace graze::cli

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "cli/exit_status.hpp"
 #include "cli/kernels.hpp"
 #include "cli/line_source.hpp"
+#include "cli/refuse.hpp"
 #include "fuzz/case_text.hpp"
 #include "fuzz/shrink/failure.hpp"
 #include "fuzz/shrink/shrink.hpp"
@@ -23,12 +23,6 @@ struct Options {
   bool test = false;
   std::string input = "-";
 };
-
-int refuse(const std::string& message) {
-  std::cout.flush();
-  std::cerr << message << '\n';
-  return exit_bad_input;
-}
 
 template <Real T>
 void print(const fuzz::Subject& kernel, const fuzz::Failure& failure, const fuzz::Shrunk<T>& shrunk, const Options& options) {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "cli/exit_status.hpp"
 #include "cli/line_source.hpp"
+#include "cli/refuse.hpp"
 #include "cli/scene_files.hpp"
 #include "fuzz/answer_names.hpp"
 #include "fuzz/case_text.hpp"
@@ -21,13 +21,6 @@ struct Options {
   bool stats = false;
   std::vector<std::string> files;
 };
-
-/// Tells on standard error, after the answers so far.
-int refuse(const std::string& message) {
-  std::cout.flush();
-  std::cerr << message << '\n';
-  return exit_bad_input;
-}
 
 /// Reads a line's numbers a Question, in blocks as large as what is there to be read; calls answer(questions) for each block.
 /// Returns an ExitStatus.
