@@ -62,6 +62,7 @@ void add_answer(CLI::App& program, int& status) {
   command->add_option("--precision", options->precision, "double (default) or float")
       ->check(CLI::IsMember({"double", "float"}));
   add_kernel_options(*command, options->kernel);
+  add_float_mode(*command, options->kernel.mode);
   command->add_flag("--details", options->details, "tell also origin= and root=, or facing=");
   command->add_option("file", options->file, "the cases; standard input where it is left out or -")->type_name("FILE");
   command->footer(

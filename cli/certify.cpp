@@ -1,12 +1,15 @@
 #include "cli/certify.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <span>
+#include <variant>
 
 #include "cli/campaign_options.hpp"
 #include "cli/exit_status.hpp"
@@ -26,6 +29,7 @@ struct Options {
   KernelOptions kernel;
   CampaignOptions campaign;
   std::vector<std::string> compared;
+  std::vector<std::string> modes;
   std::string shard;
   bool resume = false;
   Outputs outputs;
@@ -78,19 +82,54 @@ void judge(const fuzz::Plan& plan, const fuzz::Judges& judges, const fuzz::Shard
 
 /// Which kernels are judged, on what, and how.
 struct Setting {
-  std::vector<const fuzz::Subject*> kernels;
+  std::vector<Kernel> opened;                                   ///< owns what `kernels` names
+  std::vector<std::vector<const fuzz::Subject*>> kernels = {};  ///< each in its floating-point modes
   fuzz::Campaign campaign;
   std::uint64_t second_oracle_every = 0;
 
-  [[nodiscard]] fuzz::Judges judges(const fuzz::Subject& kernel) const {
-    return {kernel, oracle::gmp_oracle(), oracle::cgal_oracle(), second_oracle_every};
+  [[nodiscard]] fuzz::Judges judges(std::size_t kernel) const {
+    return {kernels[kernel], oracle::gmp_oracle(), oracle::cgal_oracle(), second_oracle_every};
   }
 };
+
+/// The modes that the words of --float-mode name, each once; or what is wrong.
+std::variant<std::vector<fuzz::FloatMode>, std::string> parse_modes(const std::vector<std::string>& words) {
+  std::vector<fuzz::FloatMode> modes;
+  for (const std::string& word : words) {
+    if (word != "all" && !fuzz::find_float_mode(word)) {
+      return "--float-mode " + word + ": there are " + float_mode_words() + ", all";
+    }
+  }
+  for (const fuzz::FloatMode mode : fuzz::float_modes) {
+    const auto names = [mode](const std::string& word) { return word == "all" || word == fuzz::word_of(mode); };
+    if (std::any_of(words.begin(), words.end(), names)) modes.push_back(mode);
+  }
+  return modes;
+}
+
+/// Opens a kernel in each of the modes, where none is named in those for which it is made; what is wrong, if anything.
+std::string open(const KernelOptions& options, std::vector<fuzz::FloatMode> modes, bool is_compared, Setting& setting) {
+  if (modes.empty()) {
+    const fuzz::Subject* built_in = fuzz::find_subject(options.name);
+    const bool takes_all = built_in != nullptr && built_in->is_for_all_modes() && !is_compared;
+    const auto known = std::span(fuzz::float_modes).first(takes_all ? fuzz::float_modes.size() : 1);
+    modes.assign(known.begin(), known.end());
+  }
+  setting.kernels.emplace_back();
+  for (const fuzz::FloatMode mode : modes) {
+    KernelOptions in_mode = options;
+    in_mode.mode = mode;
+    setting.opened.push_back(open_kernel(in_mode));
+    if (!setting.opened.back().wrong.empty()) return setting.opened.back().wrong;
+    setting.kernels.back().push_back(setting.opened.back().subject);
+  }
+  return {};
+}
 
 /// One kernel, in whole or in part.
 int certify(const Setting& setting, const fuzz::Plan& plan, const Options& options, const fuzz::Shard& shard) {
   const auto start = std::chrono::steady_clock::now();
-  const fuzz::Judges judges = setting.judges(*setting.kernels.front());
+  const fuzz::Judges judges = setting.judges(0);
   fuzz::Report report = fuzz::blank_report(setting.campaign, plan, judges, shard);
   if (options.resume) {
     if (const std::string wrong = resume(options.outputs.json, report); !wrong.empty()) return refuse(wrong);
@@ -107,12 +146,12 @@ int compare(const Setting& setting, const fuzz::Plan& plan, const std::string& h
   std::vector<fuzz::Report> reports;
   int status = exit_well;
   const auto write = [&] { return html.empty() ? std::string() : write_file(html, fuzz::comparison_page(reports)); };
-  for (const fuzz::Subject* kernel : setting.kernels) {
-    reports.push_back(fuzz::blank_report(setting.campaign, plan, setting.judges(*kernel), {}));
+  for (std::size_t i = 0; i < setting.kernels.size(); ++i) {
+    reports.push_back(fuzz::blank_report(setting.campaign, plan, setting.judges(i), {}));
   }
   if (const std::string wrong = write(); !wrong.empty()) return refuse(wrong);
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    judge(plan, setting.judges(*setting.kernels[i]), {}, reports[i], {});
+    judge(plan, setting.judges(i), {}, reports[i], {});
     // Wrong outweighs interrupted.
     const int one = exit_status(reports[i]);
     if (status != exit_found_wrong && one != exit_well) status = one;
@@ -131,13 +170,13 @@ int run(const Options& options) {
     for (const fuzz::Subject* kernel : fuzz::subjects()) names.emplace_back(kernel->name());
   }
   if (names.empty()) names.push_back(options.kernel.name);
-  std::vector<Kernel> kernels;
+  const auto modes = parse_modes(options.modes);
+  if (const auto* wrong = std::get_if<std::string>(&modes)) return refuse(*wrong);
   for (const std::string& name : names) {
     KernelOptions one = options.kernel;
     one.name = name;
-    kernels.push_back(open_kernel(one));
-    if (!kernels.back().wrong.empty()) return refuse(kernels.back().wrong);
-    setting.kernels.push_back(kernels.back().subject);
+    const std::string wrong = open(one, std::get<std::vector<fuzz::FloatMode>>(modes), !options.compared.empty(), setting);
+    if (!wrong.empty()) return refuse(wrong);
   }
   const auto shard = options.shard.empty() ? fuzz::Shard() : fuzz::parse_shard(options.shard);
   if (!shard) return refuse("--shard " + options.shard + ": is no shard; 1/4 to 4/4 are the four of four");
@@ -157,6 +196,11 @@ void add_certify(CLI::App& program, int& status) {
   const auto options = std::make_shared<Options>();
   CLI::Option* kernel = add_kernel_options(*command, options->kernel);
   add_options(*command, options->campaign);
+  command
+      ->add_option("--float-mode", options->modes,
+                   "the floating-point modes in which the kernel is called, comma-separated: " + float_mode_words() +
+                       ", all (default all for graze, which promises them, and nearest for others and --compare)")
+      ->delimiter(',');
   CLI::Option* compare = command->add_option("--compare", options->compared,
                                              "several kernels side by side, your own too; `all` for all that are built in");
   const auto alone = [compare](CLI::Option* option) { option->excludes(compare); };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "fuzz/plugins/open.hpp"
 #include "fuzz/subject.hpp"
 
 namespace graze::cli {
@@ -23,15 +24,20 @@ template <Real T = double>
 struct KernelOptions {
   std::string name = "graze";  ///< built in, a shared library, or exec:COMMAND
   std::string declare;
-  double time_limit = 2;
+  double time_limit = fuzz::default_time_limit;
+  fuzz::FloatMode mode = fuzz::FloatMode::nearest;  ///< in which it is called
 };
 
 /// Adds --kernel, --declare and --time-limit to the command, and tells the first.
 CLI::Option* add_kernel_options(CLI::App& command, KernelOptions& options);
+/// Adds --float-mode with one mode.
+void add_float_mode(CLI::App& command, fuzz::FloatMode& mode);
+/// The words that --float-mode takes, comma-separated.
+[[nodiscard]] std::string float_mode_words();
 
 struct Kernel {
   const fuzz::Subject* subject = nullptr;
-  std::unique_ptr<fuzz::Subject> own;  ///< behind `subject` where it is not built in
+  std::unique_ptr<fuzz::Subject> own;  ///< behind `subject` where it is not one that is built in, as it is
   std::string wrong;                   ///< a whole sentence where there is no subject
 };
 [[nodiscard]] Kernel open_kernel(const KernelOptions& options);

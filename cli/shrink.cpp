@@ -28,9 +28,12 @@ template <Real T>
 void print(const fuzz::Subject& kernel, const fuzz::Failure& failure, const fuzz::Shrunk<T>& shrunk, const Options& options) {
   const fuzz::Case<T>& input = shrunk.input;
   const fuzz::Answer<T> truth = fuzz::answer_of(oracle::gmp_oracle(), input);
+  const fuzz::FloatMode mode = kernel.float_mode();
   if (!shrunk.is_minimal) std::cerr << "graze: the trials ran out: a simpler case may fail too; raise --trials\n";
   const std::string title = std::string(fuzz::name_of(failure.disagreement)) + ": " + std::string(fuzz::query_name(input)) +
-                            ", " + options.precision + ", where " + std::string(kernel.name()) + " answers " + failure.answered;
+                            ", " + options.precision + ", " +
+                            (mode == fuzz::FloatMode::nearest ? "" : std::string(fuzz::name_of(mode)) + ", ") + "where " +
+                            std::string(kernel.name()) + " answers " + failure.answered;
   if (options.test) {
     std::cout << fuzz::catch_test(title, input, truth);
     return;
@@ -81,6 +84,10 @@ int run(const fuzz::Subject& kernel, const Options& options) {
 }
 
 int run(const Options& options) {
+  if (options.test && options.kernel.mode != fuzz::FloatMode::nearest) {
+    return refuse(
+        "graze: --test writes tests that run in the default floating-point mode, so it goes with no other --float-mode");
+  }
   const Kernel kernel = open_kernel(options.kernel);
   if (!kernel.wrong.empty()) return refuse("graze: " + kernel.wrong);
   return options.precision == "float" ? run<float>(*kernel.subject, options) : run<double>(*kernel.subject, options);
@@ -92,6 +99,7 @@ void add_shrink(CLI::App& program, int& status) {
   CLI::App* command = program.add_subcommand("shrink", "Find the simplest case on which a kernel fails in the same way");
   const auto options = std::make_shared<Options>();
   add_kernel_options(*command, options->kernel);
+  add_float_mode(*command, options->kernel.mode);
   command->add_option("--precision", options->precision, "double (default) or float")
       ->check(CLI::IsMember({"double", "float"}));
   command->add_option("--trials", options->trials, "ask the kernel at most so often for a case (default 200000)")

@@ -7,7 +7,8 @@
 
 namespace graze::cli {
 
-/// Runs it where the arguments ask for it, and tells the exit status: subject-worker describe|float|double LIBRARY.
+/// Runs it where the arguments ask for it, and tells the exit status: subject-worker describe LIBRARY,
+/// or subject-worker float|double MODE LIBRARY.
 [[nodiscard]] std::optional<int> run_subject_worker(const std::vector<std::string>& arguments);
 
 }  // namespace graze::cli

@@ -46,4 +46,21 @@ using Case = std::variant<RaySphere<T>, RayTriangle<T>, PointLine<T>, PointPlane
 template <Real T>
 using Answer = std::variant<SphereHit<T>, TriangleHit<T>, Side>;
 
+/// Whether a point is common to ray and shape; false for points and invalid input.
+template <Real T>
+[[nodiscard]] constexpr bool is_hit(const SphereHit<T>& hit) {
+  return hit.kind == SphereKind::tangent || hit.kind == SphereKind::secant;
+}
+template <Real T>
+[[nodiscard]] constexpr bool is_hit(const TriangleHit<T>& hit) {
+  return hit.kind != TriangleKind::miss && hit.kind != TriangleKind::invalid;
+}
+[[nodiscard]] constexpr bool is_hit(const Side&) {
+  return false;
+}
+template <Real T>
+[[nodiscard]] constexpr bool is_hit(const Answer<T>& answer) {
+  return std::visit([](const auto& hit) { return is_hit(hit); }, answer);
+}
+
 }  // namespace graze::fuzz

@@ -1,8 +1,9 @@
-// The floating-point environments that a caller may have set. For calls of a kernel alone: the oracles want the default one.
+// The floating-point modes that a caller may have set. For calls of a kernel alone: the oracles want the default one.
 #pragma once
 
 #include <array>
 #include <cfenv>
+#include <optional>
 #include <string_view>
 
 #if defined(__SSE2__)
@@ -36,6 +37,20 @@ inline constexpr std::array float_modes{FloatMode::nearest, FloatMode::upward, F
       return "flush-to-zero and denormals-are-zero";
   }
   return "unknown";
+}
+
+/// As options and reports have it.
+[[nodiscard]] constexpr std::string_view word_of(FloatMode mode) {
+  constexpr std::array<std::string_view, float_modes.size()> words{"nearest", "up", "down", "zero", "ftz-daz"};
+  return words[static_cast<std::size_t>(mode)];
+}
+
+/// The mode of that word.
+[[nodiscard]] constexpr std::optional<FloatMode> find_float_mode(std::string_view word) {
+  for (const FloatMode mode : float_modes) {
+    if (word_of(mode) == word) return mode;
+  }
+  return std::nullopt;
 }
 
 /// Sets the mode while it lives. What runs in it must be compiled in another file, or the compiler may move it out.

@@ -16,17 +16,6 @@ KernelAnswer<T> answer_in(FloatMode mode, const Case<T>& input) {
 }  // namespace
 
 template <Real T>
-bool is_hit(const Answer<T>& answer) {
-  if (const auto* hit = std::get_if<SphereHit<T>>(&answer)) {
-    return hit->kind == SphereKind::tangent || hit->kind == SphereKind::secant;
-  }
-  if (const auto* hit = std::get_if<TriangleHit<T>>(&answer)) {
-    return hit->kind != TriangleKind::miss && hit->kind != TriangleKind::invalid;
-  }
-  return false;
-}
-
-template <Real T>
 std::optional<Fault> find_fault(const Case<T>& input, const Answer<T>& truth, FloatMode mode) {
   const KernelAnswer<T> kernel = answer_in(mode, input);
   const bool decision_is_right = kernel.hits == is_hit(truth);
@@ -36,8 +25,6 @@ std::optional<Fault> find_fault(const Case<T>& input, const Answer<T>& truth, Fl
   return fault;
 }
 
-template bool is_hit(const Answer<float>&);
-template bool is_hit(const Answer<double>&);
 template std::optional<Fault> find_fault(const Case<float>&, const Answer<float>&, FloatMode);
 template std::optional<Fault> find_fault(const Case<double>&, const Answer<double>&, FloatMode);
 

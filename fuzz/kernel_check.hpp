@@ -14,10 +14,6 @@ struct Fault {
   std::string answer, truth;  ///< answer lines with details, the kernel's with what `hits` said
 };
 
-/// Whether a point is common to ray and shape; false for points and invalid input.
-template <Real T>
-[[nodiscard]] bool is_hit(const Answer<T>& answer);
-
 /// What `kernel_answer` gets wrong in that mode, if anything.
 template <Real T>
 [[nodiscard]] std::optional<Fault> find_fault(const Case<T>& input, const Answer<T>& truth, FloatMode mode);

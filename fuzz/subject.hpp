@@ -9,6 +9,7 @@
 
 #include "fuzz/case.hpp"
 #include "fuzz/deviations.hpp"
+#include "fuzz/float_mode.hpp"
 
 namespace graze::fuzz {
 
@@ -46,6 +47,12 @@ class Subject {
   [[nodiscard]] virtual const Deviations& deviations() const = 0;
   [[nodiscard]] virtual Reply<float> answer(const Case<float>&) const = 0;
   [[nodiscard]] virtual Reply<double> answer(const Case<double>&) const = 0;
+  /// The mode in which it is called.
+  [[nodiscard]] virtual FloatMode float_mode() const { return FloatMode::nearest; }
+  /// By its own word, all floating-point modes give the same answers.
+  [[nodiscard]] virtual bool is_for_all_modes() const { return false; }
+  /// What a command line wants beside its name to open it again, words for a shell.
+  [[nodiscard]] virtual std::string_view options() const { return {}; }
   /// replies[i] for inputs[i], as if asked one by one; the spans are of one size.
   virtual void answer(std::span<const Case<float>> inputs, std::span<Reply<float>> replies) const;
   virtual void answer(std::span<const Case<double>> inputs, std::span<Reply<double>> replies) const;

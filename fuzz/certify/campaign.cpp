@@ -23,7 +23,7 @@ struct Work {
 };
 
 std::uint64_t discrepancies(const Part& part) {
-  return part.tally.cases - part.tally.count(Disagreement::none) + part.tally.count(Disagreement::oracles) + part.lost_rays;
+  return part.tally.answers - part.tally.count(Disagreement::none) + part.tally.count(Disagreement::oracles) + part.lost_rays;
 }
 
 }  // namespace
@@ -34,11 +34,10 @@ void Plan::plan_family(const Family& family, const Campaign& campaign) {
   judges_.push_back([&family, seed = campaign.seed](Range cases, const Judges& judges, Part& part) {
     std::vector<Case<T>> inputs;
     for (std::uint64_t i = cases.from; i < cases.to; ++i) inputs.push_back(make<T>(family, seed, i).input);
-    std::vector<Reply<T>> replies(inputs.size());
-    judges.subject.answer(std::span<const Case<T>>(inputs), std::span(replies));
+    const Replies<T> replies = ask(judges, inputs);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       part.input_hash += input_hash(inputs[i], cases.from + i);
-      check(judges, inputs[i], replies[i], cases.from + i, part.tally);
+      check(judges, inputs[i], replies, i, cases.from + i, part.tally);
     }
   });
 }

@@ -10,16 +10,6 @@ namespace {
 
 using oracle::error_in_ulps;
 
-template <Real T>
-bool is_hit(const SphereHit<T>& h) {
-  return h.kind == SphereKind::tangent || h.kind == SphereKind::secant;
-}
-
-template <Real T>
-bool is_hit(const TriangleHit<T>& h) {
-  return h.kind != TriangleKind::invalid && h.kind != TriangleKind::miss;
-}
-
 /// A comparison in the making: each difference is the subject's declared deviation or a disagreement.
 struct Judgment {
   const Deviations& declared;

@@ -33,6 +33,10 @@ struct Comparison {
   double error_ulps = 0;
   bool has_numbers = false;  ///< numbers were compared
   DeviationSet allowed;      ///< what would have been a disagreement but is declared
+
+  [[nodiscard]] bool is_worse_than(const Comparison& other) const {
+    return disagreement != other.disagreement ? disagreement > other.disagreement : error_ulps > other.error_ulps;
+  }
 };
 
 /// Only what has a meaning for the true kind is compared: a miss has no numbers. What the subject declares is allowed for.

@@ -20,12 +20,6 @@ Vec3<T> difference(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-template <Real T>
-bool is_hit(const Answer<T>& answer) {
-  const TriangleKind kind = std::get<TriangleHit<T>>(answer).kind;
-  return kind != TriangleKind::miss && kind != TriangleKind::invalid;
-}
-
 /// In [0, 1).
 double fraction(Random& random) {
   return static_cast<double>(random.bits() >> 11) * 0x1p-53;
@@ -199,40 +193,42 @@ std::vector<std::uint32_t> MeshRays<T>::fan(Target target, std::size_t index) co
 namespace {
 
 template <Real T>
-bool is_hit(const Reply<T>& reply) {
+bool tells_hit(const Reply<T>& reply) {
   return reply && is_hit(*reply);
 }
 
+/// Whether the subject finds a hit anywhere in the mesh.
 template <Real T>
-std::vector<Reply<T>> replies_of(const Judges& judges, const std::vector<Case<T>>& inputs) {
-  std::vector<Reply<T>> replies(inputs.size());
-  judges.subject.answer(std::span<const Case<T>>(inputs), std::span(replies));
-  return replies;
+bool meets_any(const MeshRays<T>& rays, const Ray<T>& ray, const Subject& subject) {
+  std::vector<Case<T>> all;
+  for (std::size_t f = 0; f < rays.size(); ++f) all.push_back(RayTriangle<T>{ray, rays.triangle(f)});
+  std::vector<Reply<T>> found(all.size());
+  subject.answer(std::span<const Case<T>>(all), std::span(found));
+  return std::any_of(found.begin(), found.end(), [](const Reply<T>& reply) { return tells_hit(reply); });
 }
 
-/// Judges the ray by the replies for the triangles around its target.
+/// Judges the ray by the replies for the triangles around its target: those from `first` on.
 template <Real T>
-void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const Case<T>* inputs, const Reply<T>* replies,
-                    const Judges& judges, Part& part) {
+void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, const std::vector<Case<T>>& inputs,
+                    const Replies<T>& replies, std::size_t first, const Judges& judges, Part& part) {
   const std::size_t count = rays.fan(target, index).size();
   if (count == 0) return;
-  for (std::size_t i = 0; i < count; ++i) part.input_hash += input_hash(inputs[i], index);
-  bool truth_hits = false, subject_hits = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!replies[i] && replies[i].failure().empty()) return;
-    truth_hits |= is_hit(check(judges, inputs[i], replies[i], index, part.tally));
-    subject_hits |= is_hit(replies[i]);
+  for (std::size_t i = first; i < first + count; ++i) part.input_hash += input_hash(inputs[i], index);
+  bool truth_hits = false;
+  const auto is_offered = [&](const std::vector<Reply<T>>& of_mode) {
+    return of_mode[first] || !of_mode[first].failure().empty();
+  };
+  if (std::none_of(replies.begin(), replies.end(), is_offered)) return;
+  for (std::size_t i = first; i < first + count; ++i) {
+    truth_hits |= is_hit(check(judges, inputs[i], replies, i, index, part.tally));
   }
-  ++part.rays;
-  if (subject_hits) return;
-  if (truth_hits) {
-    ++part.lost_rays;
-    return;
+  for (std::size_t m = 0; m < replies.size(); ++m) {
+    ++part.rays;
+    const auto from = replies[m].begin() + static_cast<std::ptrdiff_t>(first);
+    if (std::any_of(from, from + static_cast<std::ptrdiff_t>(count), [](const auto& reply) { return tells_hit(reply); }))
+      continue;
+    if (truth_hits || !meets_any(rays, rays.ray(target, index), *judges.subjects[m])) ++part.lost_rays;
   }
-  std::vector<Case<T>> all;
-  for (std::size_t f = 0; f < rays.size(); ++f) all.push_back(RayTriangle<T>{rays.ray(target, index), rays.triangle(f)});
-  const std::vector<Reply<T>> found = replies_of(judges, all);
-  if (std::none_of(found.begin(), found.end(), [](const Reply<T>& reply) { return is_hit(reply); })) ++part.lost_rays;
 }
 
 }  // namespace
@@ -243,10 +239,10 @@ void judge_mesh_rays(const MeshRays<T>& rays, Target target, Range range, const 
   for (std::uint64_t i = range.from; i < range.to; ++i) {
     for (const std::uint32_t f : rays.fan(target, i)) inputs.push_back(RayTriangle<T>{rays.ray(target, i), rays.triangle(f)});
   }
-  const std::vector<Reply<T>> replies = replies_of(judges, inputs);
+  const Replies<T> replies = ask(judges, inputs);
   std::size_t first = 0;
   for (std::uint64_t i = range.from; i < range.to; first += rays.fan(target, i++).size()) {
-    judge_mesh_ray(rays, target, i, inputs.data() + first, replies.data() + first, judges, part);
+    judge_mesh_ray(rays, target, i, inputs, replies, first, judges, part);
   }
 }
 

@@ -15,7 +15,7 @@ bool comes_before(const Offender& a, const Offender& b) {
   const auto key = [](const Offender& o) {
     return std::make_tuple(-static_cast<int>(o.comparison.disagreement), -o.comparison.error_ulps, o.index);
   };
-  const auto texts = [](const Offender& o) { return std::tie(o.precision, o.input, o.answer); };
+  const auto texts = [](const Offender& o) { return std::tie(o.precision, o.mode, o.input, o.answer); };
   return key(a) != key(b) ? key(a) < key(b) : texts(a) < texts(b);
 }
 
@@ -41,7 +41,7 @@ bool Tally::is_clean() const {
 }
 
 void Tally::count_in(const Comparison& c) {
-  ++cases;
+  ++answers;
   ++by_disagreement[static_cast<std::size_t>(c.disagreement)];
   for (std::size_t i = 0; i < deviation_count; ++i) {
     if (c.allowed.has(static_cast<Deviation>(i))) ++by_deviation[i];
@@ -75,7 +75,7 @@ void Tally::merge(const Tally& other) {
   const auto add_up = [](auto& to, const auto& from) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
   };
-  cases += other.cases;
+  answers += other.answers;
   skipped += other.skipped;
   add_up(by_disagreement, other.by_disagreement);
   add_up(by_deviation, other.by_deviation);

@@ -7,16 +7,18 @@
 #include <vector>
 
 #include "fuzz/certify/comparison.hpp"
+#include "fuzz/float_mode.hpp"
 
 namespace graze::fuzz {
 
 /// A case on which the subject disagrees, as text that replays it.
 struct Offender {
   Comparison comparison;
-  std::uint64_t index = 0;    ///< the case's number in its family or mesh
-  std::string precision;      ///< float or double
-  std::string input;          ///< the case line, in hexadecimal
-  std::string answer, truth;  ///< answer lines with details; of an answer that failed, how
+  std::uint64_t index = 0;              ///< the case's number in its family or mesh
+  std::string precision;                ///< float or double
+  FloatMode mode = FloatMode::nearest;  ///< in which the subject was asked
+  std::string input;                    ///< the case line, in hexadecimal
+  std::string answer, truth;            ///< answer lines with details; of an answer that failed, how
 };
 
 /// Where an error is counted: 0 for a correctly rounded answer, 1 below one ulp, 2 for [1, 2), 3 for [2, 4), up to 64 for
@@ -27,7 +29,7 @@ inline constexpr std::size_t error_bins = 67;
 struct Tally {
   static constexpr std::size_t kept_offenders = 3;
 
-  std::uint64_t cases = 0;                                          ///< asked, whether or not an answer came
+  std::uint64_t answers = 0;                                        ///< asked for, whether or not one came
   std::uint64_t skipped = 0;                                        ///< queries that the subject does not offer
   std::array<std::uint64_t, disagreement_count> by_disagreement{};  ///< indexed by Disagreement; its worst counts
   std::array<std::uint64_t, deviation_count> by_deviation{};        ///< indexed by Deviation: allowed for, because declared
@@ -44,10 +46,12 @@ struct Tally {
   /// Nothing disagrees beyond what the subject declares.
   [[nodiscard]] bool is_clean() const;
 
-  /// Counts a comparison; `describe` makes the Offender's text and is called only where it may be kept.
+  /// Counts the comparison of an answer.
+  void count_in(const Comparison& c);
+  /// Keeps it among the worst offenders where it is one; `describe` makes the Offender's text and is called only where it may
+  /// be kept.
   template <class Describe>
-  void add(const Comparison& c, std::uint64_t index, Describe describe) {
-    count_in(c);
+  void offer(const Comparison& c, std::uint64_t index, Describe describe) {
     if (c.disagreement == Disagreement::none) return;
     if (offenders.size() == kept_offenders && is_behind(c, index, offenders.back())) return;
     Offender offender = describe();
@@ -63,7 +67,6 @@ struct Tally {
   void merge(const Tally& other);
 
  private:
-  void count_in(const Comparison& c);
   /// Whether it is less bad than the one that is kept, or as bad and later.
   static bool is_behind(const Comparison& c, std::uint64_t index, const Offender& kept);
   void keep(Offender offender);

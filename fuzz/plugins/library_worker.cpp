@@ -203,7 +203,8 @@ std::string line_of(const Case<T>& input, const CAnswer& a) {
 
 /// Answers those of the cases that are of query I, at once; lines[i] for cases[i].
 template <std::size_t I, Real T>
-void answer_query(const Description& description, const std::vector<Case<T>>& cases, std::vector<std::string>& lines) {
+void answer_query(const Description& description, FloatMode mode, const std::vector<Case<T>>& cases,
+                  std::vector<std::string>& lines) {
   using Query = std::tuple_element_t<I, typename Calls<T>::Queries>;
   std::vector<std::size_t> places;
   std::vector<Query> queries;
@@ -220,7 +221,10 @@ void answer_query(const Description& description, const std::vector<Case<T>>& ca
   }
   std::vector<typename Calls<T>::Answer> answers(queries.size());
   std::memset(answers.data(), 0, answers.size() * sizeof answers[0]);
-  const std::size_t answered = call(queries.data(), queries.size(), answers.data());
+  const std::size_t answered = [&] {
+    const FloatModeScope scope(mode);
+    return call(queries.data(), queries.size(), answers.data());
+  }();
   for (std::size_t i = 0; i < places.size(); ++i) {
     lines[places[i]] = answered == places.size()
                            ? line_of(cases[places[i]], answers[i])
@@ -230,7 +234,7 @@ void answer_query(const Description& description, const std::vector<Case<T>>& ca
 
 /// Answers all whole lines that have come so far.
 template <Real T>
-void answer_lines(const Description& description, std::string_view text, const Pipes& pipes) {
+void answer_lines(const Description& description, FloatMode mode, std::string_view text, const Pipes& pipes) {
   std::vector<Case<T>> cases;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
@@ -241,7 +245,7 @@ void answer_lines(const Description& description, std::string_view text, const P
   }
   std::vector<std::string> lines(cases.size());
   [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (answer_query<I>(description, cases, lines), ...);
+    (answer_query<I>(description, mode, cases, lines), ...);
   }
   (std::make_index_sequence<std::variant_size_v<Case<T>>>());
   std::string all;
@@ -287,7 +291,7 @@ int describe_library(const std::string& path) {
 }
 
 template <class T>
-int serve_library(const std::string& path) {
+int serve_library(const std::string& path, FloatMode mode) {
   const Pipes pipes;
   const auto loaded = load(path);
   if (std::holds_alternative<std::string>(loaded)) return 2;
@@ -301,12 +305,12 @@ int serve_library(const std::string& path) {
     text.append(buffer.data(), static_cast<std::size_t>(n));
     const std::size_t whole = text.rfind('\n') + 1;
     if (whole == 0) continue;
-    answer_lines<T>(description, std::string_view(text).substr(0, whole), pipes);
+    answer_lines<T>(description, mode, std::string_view(text).substr(0, whole), pipes);
     text.erase(0, whole);
   }
 }
 
-template int serve_library<float>(const std::string&);
-template int serve_library<double>(const std::string&);
+template int serve_library<float>(const std::string&, FloatMode);
+template int serve_library<double>(const std::string&, FloatMode);
 
 }  // namespace graze::fuzz

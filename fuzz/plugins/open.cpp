@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "fuzz/number_text.hpp"
 #include "fuzz/plugins/process_subject.hpp"
+#include "fuzz/shell_word.hpp"
 #include "fuzz/words.hpp"
 
 namespace graze::fuzz {
@@ -13,11 +15,21 @@ using Opened = std::variant<std::unique_ptr<Subject>, std::string>;
 
 constexpr std::string_view exec = "exec:";
 constexpr std::string_view precision_word = "{precision}";
+constexpr std::string_view mode_word = "{float-mode}";
 constexpr double time_to_load = 60;  // seconds
 
 std::string replaced(std::string text, std::string_view word, std::string_view by) {
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + by.size())) {
     text.replace(at, word.size(), by);
+  }
+  return text;
+}
+
+/// What was said on the command line, to be said again.
+std::string told(const PluginOptions& options) {
+  std::string text = options.declare.empty() ? "" : "--declare " + shell_word(options.declare);
+  if (options.time_limit != default_time_limit) {
+    text.append(text.empty() ? "" : " ").append("--time-limit " + format_number(options.time_limit, NumberForm::shortest));
   }
   return text;
 }
@@ -50,12 +62,18 @@ Opened open_program(const PluginOptions& options) {
   if (const auto* error = std::get_if<LineError>(&parsed)) return "--declare " + options.declare + ": " + error->what;
   auto& declaration = std::get<Declaration>(parsed);
   if (command.find_first_not_of(' ') == std::string::npos) return options.name + ": names no program; exec:./mine --flags does";
-  ProcessSubject::Settings settings{options.name, "the program " + command, declaration, {}, false, options.time_limit};
+  if (options.mode != FloatMode::nearest && command.find(mode_word) == std::string::npos) {
+    return options.name + ": a program sets its own floating-point mode: take " + std::string(mode_word) +
+           " into the command, which is replaced by " + std::string(word_of(options.mode));
+  }
+  ProcessSubject::Settings settings{options.name, "the program " + command, declaration,  {},
+                                    false,        options.time_limit,       options.mode, told(options)};
   if (command.find(precision_word) == std::string::npos && settings.declaration.offers[0] == settings.declaration.offers[1]) {
     settings.declaration.offers[0] = {};  // it can't know that float is wanted
   }
   for (const std::size_t p : {0, 1}) {
-    settings.commands[p] = {"/bin/sh", "-c", for_shell(replaced(command, precision_word, p == 0 ? "float" : "double"))};
+    const std::string in_mode = replaced(command, mode_word, word_of(options.mode));
+    settings.commands[p] = {"/bin/sh", "-c", for_shell(replaced(in_mode, precision_word, p == 0 ? "float" : "double"))};
   }
   if (const std::string wrong = try_out(settings.commands[1]); !wrong.empty()) return options.name + ": the program " + wrong;
   return std::make_unique<ProcessSubject>(std::move(settings));
@@ -83,11 +101,14 @@ Opened open_library(const PluginOptions& options) {
   if (outcome != Process::Outcome::answered) return options.name + ": " + process.end() + " while it was loaded";
   auto parsed = parse_declaration(field(2, "declares "));
   if (const auto* wrong = std::get_if<LineError>(&parsed)) return options.name + ": " + wrong->what;
-  ProcessSubject::Settings settings{options.name, field(0, "name "), std::get<Declaration>(parsed), {},
-                                    true,         options.time_limit};
+  ProcessSubject::Settings settings{
+      options.name, field(0, "name "), std::get<Declaration>(parsed), {}, true, options.time_limit,
+      options.mode, told(options)};
   if (const std::string about = field(1, "about "); !about.empty()) settings.about += ": " + about;
-  settings.commands[0] = {options.worker, "subject-worker", "float", path};
-  settings.commands[1] = {options.worker, "subject-worker", "double", path};
+  for (const std::size_t p : {0, 1}) {
+    settings.commands[p] = {options.worker, "subject-worker", p == 0 ? "float" : "double", std::string(word_of(options.mode)),
+                            path};
+  }
   return std::make_unique<ProcessSubject>(std::move(settings));
 }
 

@@ -14,6 +14,8 @@
 #include <mutex>
 #include <thread>
 
+#include "fuzz/plugins/keeper.hpp"
+
 extern char** environ;
 
 namespace graze::fuzz {
@@ -80,6 +82,7 @@ std::variant<std::unique_ptr<Process>, std::string> Process::start(const std::ve
   // One at a time: between a pipe's making and its flag another thread's program would inherit it.
   static std::mutex starting;
   const std::scoped_lock lock(starting);
+  const Keeper& keeper = Keeper::instance();
   Pipe in, out;
   pid_t pid = 0;
   int error = 0;
@@ -93,6 +96,7 @@ std::variant<std::unique_ptr<Process>, std::string> Process::start(const std::ve
     close_pipe(out);
     return std::string("cannot be started: ") + std::strerror(error);
   }
+  keeper.add(pid);
   ::close(in.read);
   ::close(out.write);
   ::fcntl(in.write, F_SETFL, O_NONBLOCK);
@@ -178,31 +182,26 @@ Process::Outcome Process::run(std::string_view text, std::size_t most, std::vect
   }
 }
 
-void Process::keep_status(int status) {
-  exit_status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  is_reaped_ = true;
-}
-
 void Process::kill() {
   if (is_reaped_) return;
+  // Until it is waited for, its number is the group's.
   ::kill(-pid_, SIGKILL);
+  Keeper::instance().remove(pid_);
   int status = 0;
   while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
-  keep_status(status);
+  exit_status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  is_reaped_ = true;
 }
 
 std::string Process::end() {
   close_input();
   const Clock::time_point deadline = after(Seconds(1));
   while (!is_reaped_) {
-    int status = 0;
-    const pid_t ended = ::waitpid(pid_, &status, WNOHANG);
-    if (ended == pid_) {
-      keep_status(status);
-      ::kill(-pid_, SIGKILL);  // what it has left behind
-    } else if (ended < 0 && errno != EINTR) {
-      is_reaped_ = true;
+    siginfo_t ended{};
+    const int error = ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT);
+    if ((error == 0 && ended.si_pid == pid_) || (error != 0 && errno != EINTR)) {
+      kill();  // what it has left behind
     } else if (Clock::now() >= deadline) {
       kill();
       return "closed its output";

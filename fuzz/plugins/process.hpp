@@ -13,7 +13,7 @@
 namespace graze::fuzz {
 
 /// One thread at a time may use it. It runs in a process group of its own, so that an interrupt from the terminal is not its
-/// end, and so that what it has started ends with it. Wants SIGPIPE ignored.
+/// end, and so that what it has started ends with it, and with this program (keeper.hpp). Wants SIGPIPE ignored.
 class Process {
  public:
   using Seconds = std::chrono::duration<double>;
@@ -51,7 +51,6 @@ class Process {
  private:
   Process(pid_t pid, int in, int out) : pid_(pid), in_(in), out_(out) {}
   void close_input();
-  void keep_status(int status);
   /// Takes the next whole line off what was read; false where there is none.
   bool take_line(std::vector<std::string>& lines);
   /// Waits for output, or for input to be taken, and moves what there is; false at the deadline.

@@ -26,7 +26,9 @@ class ProcessSubject final : public Subject {
     /// thread that asks. One that does not is given a batch and the end of its input, and has to end itself: only then are its
     /// lines known to be all, and it need not flush.
     bool stays = false;
-    double time_limit = 2;  ///< seconds for an answer
+    double time_limit = 2;                ///< seconds for an answer
+    FloatMode mode = FloatMode::nearest;  ///< in which the commands ask the kernel
+    std::string options;                  ///< of the command line that opened it
   };
   /// After so many cases that hung, the rest is not asked any more and has failed.
   static constexpr int most_hangs = 20;
@@ -36,6 +38,8 @@ class ProcessSubject final : public Subject {
   [[nodiscard]] std::string_view name() const override { return settings_.name; }
   [[nodiscard]] std::string_view about() const override { return settings_.about; }
   [[nodiscard]] const Deviations& deviations() const override { return settings_.declaration.deviations; }
+  [[nodiscard]] FloatMode float_mode() const override { return settings_.mode; }
+  [[nodiscard]] std::string_view options() const override { return settings_.options; }
   [[nodiscard]] Reply<float> answer(const Case<float>& input) const override { return answer_one(input); }
   [[nodiscard]] Reply<double> answer(const Case<double>& input) const override { return answer_one(input); }
   void answer(std::span<const Case<float>> inputs, std::span<Reply<float>> replies) const override {

@@ -21,9 +21,9 @@ std::string summary(std::span<const Report> reports) {
     std::uint64_t allowed = 0;
     for (const std::uint64_t n : t.by_deviation) allowed += n;
     body += "<tr>" + element("th", report.scope.kernel, "class='name'") + "<td>" + verdict_badge(report.verdict()) +
-            "</td><td>" + grouped(t.cases) + "</td>" + count(t.wrong_kinds(), t.cases) +
-            count(t.count(Disagreement::lost_hit), t.cases) + count(t.count(Disagreement::false_hit), t.cases) +
-            count(t.count(Disagreement::misrounded), t.cases) + element("td", worst_error(t)) +
+            "</td><td>" + grouped(t.answers) + "</td>" + count(t.wrong_kinds(), t.answers) +
+            count(t.count(Disagreement::lost_hit), t.answers) + count(t.count(Disagreement::false_hit), t.answers) +
+            count(t.count(Disagreement::misrounded), t.answers) + element("td", worst_error(t)) +
             (total.rays == 0 ? "<td class='zero'>–</td>" : count(total.lost_rays, total.rays)) + "<td>" + grouped(allowed) +
             "</td></tr>\n";
   }
@@ -43,12 +43,12 @@ std::string families(std::span<const Report> reports, const std::string& precisi
     for (const Report& report : reports) {
       const Part part = report.rows[i].total();
       const Tally& t = part.tally;
-      if (t.cases == 0) {
+      if (t.answers == 0) {
         body += "<td class='zero'>–</td>";
         continue;
       }
       const std::uint64_t wrong = t.wrong_kinds() + t.count(Disagreement::failed);
-      body += "<td" + heat(static_cast<double>(wrong) / static_cast<double>(t.cases)) + ">" + percent(wrong, t.cases) +
+      body += "<td" + heat(static_cast<double>(wrong) / static_cast<double>(t.answers)) + ">" + percent(wrong, t.answers) +
               element("small", short_error(t)) + "</td>";
     }
     body += "</tr>\n";

@@ -20,6 +20,7 @@ Json hash_text(std::uint64_t hash) {
 Json offender_json(const Report& report, const Offender& o) {
   return {{"case", o.index},
           {"precision", o.precision},
+          {"float_mode", word_of(o.mode)},
           {"disagreement", name_of(o.comparison.disagreement)},
           {"error_ulps", number(o.comparison.error_ulps)},
           {"input", o.input},
@@ -76,7 +77,7 @@ Json to_json(const Report& report, const Part& part, bool is_mesh) {
     if (t.by_error[i] != 0) errors[error_bin_name(i)] = t.by_error[i];
   }
   for (const Offender& o : t.offenders) offenders.push_back(offender_json(report, o));
-  Json json{{"answers", t.cases},
+  Json json{{"answers", t.answers},
             {"not_offered", t.skipped},
             {"second_oracle_asked", t.oracles_compared},
             {"wrong_kinds", t.wrong_kinds()},
@@ -96,8 +97,9 @@ Json to_json(const Report& report, const Part& part, bool is_mesh) {
 
 Json identity(const Report& report) {
   const Scope& s = report.scope;
-  Json declared = Json::array(), meshes = Json::array(), rows = Json::array();
+  Json declared = Json::array(), modes = Json::array(), meshes = Json::array(), rows = Json::array();
   for (const Deviation d : declared_deviations(s.declared)) declared.push_back(name_of(d));
+  for (const FloatMode mode : s.modes) modes.push_back(word_of(mode));
   for (const MeshIdentity& mesh : s.meshes) {
     meshes.push_back({{"name", mesh.name}, {"triangles", mesh.triangles}, {"hash", hash_text(mesh.hash)}});
   }
@@ -112,12 +114,14 @@ Json identity(const Report& report) {
           {"kernel",
            {{"name", s.kernel},
             {"about", s.about},
+            {"options", s.options},
             {"declares", std::move(declared)},
             {"t_ulps", number(s.declared.t_ulps)},
             {"uv_ulps", number(s.declared.uv_ulps)}}},
           {"scope",
            {{"seed", s.seed},
             {"cases_per_row", s.cases},
+            {"float_modes", std::move(modes)},
             {"second_oracle_every", s.second_oracle_every},
             {"meshes", std::move(meshes)},
             {"compiler", s.compiler},

@@ -41,25 +41,27 @@ std::string junit(const Report& report) {
     if (!part.is_clean()) {
       ++failures;
       cases += "<failure message=\"" +
-               escaped(grouped(t.cases - t.count(Disagreement::none)) + " of " + grouped(t.cases) + " answers are wrong, " +
+               escaped(grouped(t.answers - t.count(Disagreement::none)) + " of " + grouped(t.answers) + " answers are wrong, " +
                        grouped(part.lost_rays) + " rays are lost") +
                "\">" + escaped(offenders(report, t)) + "</failure>";
     } else if (!row.obstacle.empty() || !is_finished(report, row)) {
       ++errors;
       cases += "<error message=\"" + escaped(row.obstacle.empty() ? "interrupted" : row.obstacle) + "\"/>";
-    } else if (t.cases == 0) {
+    } else if (t.answers == 0) {
       ++skipped;
       cases += "<skipped message=\"no query that the kernel offers\"/>";
     }
     cases += "</testcase>\n";
   }
+  std::string float_modes;
+  for (const FloatMode mode : report.scope.modes) float_modes.append(float_modes.empty() ? "" : ",").append(word_of(mode));
   const std::string counts =
       formatted("tests=\"%zu\" failures=\"%zu\" errors=\"%zu\" skipped=\"%zu\"", report.rows.size(), failures, errors, skipped);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts + ">\n  <testsuite name=\"" +
          escaped("graze certify " + report.scope.kernel) + "\" " + counts + ">\n    <properties>\n" +
          property("version", report.scope.version) + property("seed", std::to_string(report.scope.seed)) +
-         property("cases_per_row", std::to_string(report.scope.cases)) + "    </properties>\n" + cases +
-         "  </testsuite>\n</testsuites>\n";
+         property("cases_per_row", std::to_string(report.scope.cases)) + property("float_modes", float_modes) +
+         "    </properties>\n" + cases + "  </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace graze::fuzz

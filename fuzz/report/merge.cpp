@@ -39,7 +39,7 @@ std::string misfit(const Report& report, const Part& whole, const Part& part) {
   for (const Offender& offender : part.tally.offenders) {
     const auto same = [&](const Offender& o) {
       const auto key = [](const Offender& x) {
-        return std::tie(x.index, x.comparison.disagreement, x.comparison.error_ulps, x.input, x.answer, x.truth);
+        return std::tie(x.index, x.mode, x.comparison.disagreement, x.comparison.error_ulps, x.input, x.answer, x.truth);
       };
       return key(o) == key(offender);
     };

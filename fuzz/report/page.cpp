@@ -23,7 +23,7 @@ std::string headline(const Report& report) {
   const Tally& t = total.tally;
   std::string markup = "<h1>" + verdict_badge(report.verdict()) + " " + escaped(report.scope.kernel) + "</h1>\n" +
                        element("p", report.scope.about, "class='soft'") + "\n<div class='facts'>\n" +
-                       fact(grouped(t.cases), "answers") + fact(grouped(t.wrong_kinds()), "wrong kinds") +
+                       fact(grouped(t.answers), "answers") + fact(grouped(t.wrong_kinds()), "wrong kinds") +
                        fact(grouped(t.count(Disagreement::misrounded)), "numbers too far off") +
                        fact(worst_error(t), "ulps, the worst error");
   if (total.rays != 0) markup += fact(grouped(total.lost_rays) + " of " + grouped(total.rays), "rays lost at meshes");
@@ -33,11 +33,11 @@ std::string headline(const Report& report) {
   if (const auto n = t.count(Disagreement::oracles); n != 0) {
     markup += element("p", "The two oracles differ on " + grouped(n) + " cases: the certifier itself is wrong there.");
   }
-  if (total.is_clean() && t.cases != 0) {
-    markup += element("p", "Nothing is wrong in " + grouped(t.cases) +
-                               " answers. By the rule of three, on cases drawn like these the rate of wrong answers " +
-                               "is below 3/n = " + formatted("%.2g", 3 / static_cast<double>(t.cases)) +
-                               " with 95 % confidence; the table has it family by family.");
+  if (total.is_clean() && t.answers != 0) {
+    markup += element("p", "Nothing is wrong in " + grouped(t.answers) + " answers to n = " + grouped(report.cases_of(t)) +
+                               " cases. By the rule of three, of cases drawn like these less than 3/n = " +
+                               formatted("%.2g", 3 / static_cast<double>(report.cases_of(t))) +
+                               " are answered wrongly, with 95 % confidence; the table has it family by family.");
   }
   return markup;
 }
@@ -79,17 +79,17 @@ std::string table(const Report& report, const Columns& columns, bool of_meshes) 
   for (const Row& row : report.rows) {
     const Part part = row.total();
     const Tally& t = part.tally;
-    if (row.is_mesh != of_meshes || (t.cases == 0 && row.obstacle.empty())) continue;
+    if (row.is_mesh != of_meshes || (t.answers == 0 && row.obstacle.empty())) continue;
     body += "<tr>" + element("th", row.name, "class='name'") + element("td", row.precision);
     if (!row.obstacle.empty()) {
       body += "<td colspan='16' class='name'>" + escaped(row.obstacle) + "</td></tr>\n";
       continue;
     }
-    const std::uint64_t wrong = t.cases - t.count(Disagreement::none);
-    body += element("td", part.is_clean() ? rate_bound(t.cases) : percent(wrong, t.cases));
+    const std::uint64_t wrong = t.answers - t.count(Disagreement::none);
+    body += element("td", part.is_clean() ? rate_bound(report.cases_of(t)) : percent(wrong, t.answers));
     if (of_meshes) body += "<td>" + grouped(part.rays) + "</td>" + count_cell(part.lost_rays, part.rays);
-    body += "<td>" + grouped(t.cases) + "</td>";
-    for (const Disagreement d : columns.shown) body += count_cell(t.count(d), t.cases);
+    body += "<td>" + grouped(t.answers) + "</td>";
+    for (const Disagreement d : columns.shown) body += count_cell(t.count(d), t.answers);
     body += element("td", worst_error(t));
     if (has_allowed) {
       std::uint64_t allowed = 0;

@@ -46,6 +46,8 @@ std::string scope_section(const Report& report) {
                        fact("cases a family and precision", grouped(s.cases)) + fact("precisions", joined(precisions));
   if (!meshes.empty()) markup += fact("meshes", joined(meshes));
   if (!shards.empty()) markup += fact("shards of the campaign", joined(shards));
+  const std::string modes = modes_told(s);
+  markup += fact("floating-point modes", modes.empty() ? "the default one" : modes);
   markup += fact("second oracle",
                  s.second_oracle_every == 0 ? "not asked" : "confirms every " + grouped(s.second_oracle_every) + "th case") +
             fact("compiler", s.compiler) + fact("flags", s.flags) + fact("processor", joined(report.cpus)) +
@@ -74,8 +76,11 @@ std::string offender_section(const Report& report, const Row& row, const Offende
   std::string title(name_of(o.comparison.disagreement));
   if (o.comparison.error_ulps > 0) title += formatted(", %.4g ulps off", o.comparison.error_ulps);
   return "<section class='offender'>\n<div>" + drawing(o) + "</div>\n<div>" + element("h3", title) +
-         element("p", row.name + ", " + o.precision + ", case " + grouped(o.index), "class='soft'") + "\n<dl>" +
-         fact("answers", o.answer) + fact("exact", o.truth) + "</dl>\n" + element("pre", o.input) +
+         element("p",
+                 row.name + ", " + o.precision + ", case " + grouped(o.index) +
+                     (o.mode == FloatMode::nearest ? "" : ", " + std::string(name_of(o.mode))),
+                 "class='soft'") +
+         "\n<dl>" + fact("answers", o.answer) + fact("exact", o.truth) + "</dl>\n" + element("pre", o.input) +
          "\n<details><summary>Replay</summary>" + element("pre", replay_command(report, o)) + "</details></div>\n</section>\n";
 }
 

@@ -29,12 +29,19 @@ Disagreement disagreement_of(const std::string& name) {
   throw std::invalid_argument("'" + name + "' is no disagreement");
 }
 
+FloatMode mode_of(const Json& json) {
+  const auto mode = find_float_mode(json.get<std::string>());
+  if (!mode) throw std::invalid_argument(json.dump() + " is no floating-point mode");
+  return *mode;
+}
+
 Offender offender_of(const Json& json) {
   Offender offender;
   offender.comparison.disagreement = disagreement_of(json.at("disagreement"));
   offender.comparison.error_ulps = number(json.at("error_ulps"));
   json.at("case").get_to(offender.index);
   json.at("precision").get_to(offender.precision);
+  offender.mode = mode_of(json.at("float_mode"));
   json.at("input").get_to(offender.input);
   json.at("answer").get_to(offender.answer);
   json.at("exact").get_to(offender.truth);
@@ -45,7 +52,7 @@ Part part_of(const Json& json, Range range) {
   Part part;
   part.range = range;
   Tally& t = part.tally;
-  json.at("answers").get_to(t.cases);
+  json.at("answers").get_to(t.answers);
   json.at("not_offered").get_to(t.skipped);
   json.at("second_oracle_asked").get_to(t.oracles_compared);
   json.at("misrounded").get_to(t.misrounded);
@@ -100,6 +107,7 @@ Scope scope_of(const Json& json) {
   const Json& kernel = json.at("kernel");
   kernel.at("name").get_to(scope.kernel);
   kernel.at("about").get_to(scope.about);
+  kernel.at("options").get_to(scope.options);
   for (const Json& name : kernel.at("declares")) {
     const auto deviation = find_deviation(name.get<std::string>());
     if (!deviation) throw std::invalid_argument(name.dump() + " is no deviation");
@@ -111,6 +119,8 @@ Scope scope_of(const Json& json) {
   const Json& about = json.at("scope");
   about.at("seed").get_to(scope.seed);
   about.at("cases_per_row").get_to(scope.cases);
+  for (const Json& word : about.at("float_modes")) scope.modes.push_back(mode_of(word));
+  if (scope.modes.empty()) throw std::invalid_argument("float_modes is empty");
   about.at("second_oracle_every").get_to(scope.second_oracle_every);
   for (const Json& mesh : about.at("meshes")) {
     scope.meshes.push_back({mesh.at("name"), mesh.at("triangles"), hash_of(mesh.at("hash"))});

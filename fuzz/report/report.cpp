@@ -50,16 +50,20 @@ Verdict Report::verdict() const {
 
 Report blank_report(const Campaign& campaign, const Plan& plan, const Judges& judges, const Shard& shard) {
   Report report;
+  const Subject& subject = *judges.subjects.front();
   report.scope = {GRAZE_VERSION,
-                  std::string(judges.subject.name()),
-                  std::string(judges.subject.about()),
-                  judges.subject.deviations(),
+                  std::string(subject.name()),
+                  std::string(subject.about()),
+                  std::string(subject.options()),
+                  subject.deviations(),
                   campaign.seed,
                   campaign.cases,
                   judges.second_oracle_every,
                   {},
+                  {},
                   GRAZE_COMPILER,
                   GRAZE_FLAGS};
+  for (const Subject* one : judges.subjects) report.scope.modes.push_back(one->float_mode());
   for (const Mesh& mesh : campaign.meshes) report.scope.meshes.push_back({mesh.name, mesh.triangles.size(), input_hash(mesh)});
   report.cpus.insert(cpu_name());
   if (shard.count > 1) report.shards.insert(shard);
@@ -67,9 +71,20 @@ Report blank_report(const Campaign& campaign, const Plan& plan, const Judges& ju
   return report;
 }
 
+std::string modes_told(const Scope& scope) {
+  if (scope.modes == std::vector{FloatMode::nearest}) return {};
+  if (scope.modes.size() == float_modes.size()) return "all " + std::to_string(float_modes.size()) + " floating-point modes";
+  std::string told;
+  for (const FloatMode mode : scope.modes) told.append(told.empty() ? "" : ", ").append(name_of(mode));
+  return told;
+}
+
 std::string replay_command(const Report& report, const Offender& offender) {
-  return "echo '" + offender.input + "' | graze answer --details --precision " + offender.precision + " --kernel " +
-         shell_word(report.scope.kernel);
+  const Scope& s = report.scope;
+  std::string command = "echo '" + offender.input + "' | graze answer --details --precision " + offender.precision;
+  if (offender.mode != FloatMode::nearest) command.append(" --float-mode ").append(word_of(offender.mode));
+  command += " --kernel " + shell_word(s.kernel);
+  return s.options.empty() ? command : command + " " + s.options;
 }
 
 }  // namespace graze::fuzz

@@ -21,10 +21,12 @@ struct MeshIdentity {
 struct Scope {
   std::string version;        ///< of graze
   std::string kernel, about;  ///< the subject's own words
+  std::string options;        ///< that open it again, beside its name
   Deviations declared;        ///< by the subject
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;  ///< per family and precision
   std::uint64_t second_oracle_every = 0;
+  std::vector<FloatMode> modes;  ///< floating-point modes in which the subject was asked each case
   std::vector<MeshIdentity> meshes;
   std::string compiler, flags;  ///< of the certifier and the built-in subjects
 };
@@ -40,6 +42,8 @@ struct Report {
 
   /// Of all rows. The offenders are the worst of all.
   [[nodiscard]] Part total() const;
+  /// How many cases the answers are to: each is asked in every mode.
+  [[nodiscard]] std::uint64_t cases_of(const Tally& tally) const { return tally.answers / scope.modes.size(); }
   /// Every row of the campaign is judged to its end.
   [[nodiscard]] bool is_whole() const;
   /// What it is to hold is judged to its end.
@@ -50,6 +54,9 @@ struct Report {
 
 /// The report of a campaign of which nothing is judged yet, by this build on this machine.
 [[nodiscard]] Report blank_report(const Campaign& campaign, const Plan& plan, const Judges& judges, const Shard& shard);
+
+/// The modes in a few words, a clause; empty for the default one alone.
+[[nodiscard]] std::string modes_told(const Scope& scope);
 
 /// The command that asks the kernel this case again.
 [[nodiscard]] std::string replay_command(const Report& report, const Offender& offender);

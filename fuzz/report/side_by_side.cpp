@@ -19,8 +19,8 @@ void print_kernels(std::span<const Report> reports, std::ostream& out) {
     const Tally& t = total.tally;
     const std::string rays = total.rays == 0 ? "-" : grouped(total.lost_rays) + " of " + grouped(total.rays);
     out << formatted("%-20s %-10s %12s %22s %10s %10s %12s %10s %18s\n", report.scope.kernel.c_str(),
-                     std::string(name_of(report.verdict())).c_str(), grouped(t.cases).c_str(),
-                     (grouped(t.wrong_kinds()) + " (" + percent(t.wrong_kinds(), t.cases) + ")").c_str(),
+                     std::string(name_of(report.verdict())).c_str(), grouped(t.answers).c_str(),
+                     (grouped(t.wrong_kinds()) + " (" + percent(t.wrong_kinds(), t.answers) + ")").c_str(),
                      grouped(t.count(Disagreement::lost_hit)).c_str(), grouped(t.count(Disagreement::false_hit)).c_str(),
                      grouped(t.count(Disagreement::misrounded)).c_str(), worst_error(t).c_str(), rays.c_str());
   }
@@ -51,7 +51,7 @@ void print_side_by_side(std::span<const Report> reports, std::ostream& out) {
     for (const Report& report : reports) {
       const Tally t = report.rows[i].total().tally;
       const std::uint64_t wrong = t.wrong_kinds() + t.count(Disagreement::failed);
-      const std::string cell = t.cases == 0 ? "-" : percent(wrong, t.cases) + ", " + short_error(t);
+      const std::string cell = t.answers == 0 ? "-" : percent(wrong, t.answers) + ", " + short_error(t);
       out << ' ' << padded(cell, std::max<std::size_t>(17, report.scope.kernel.size()));
     }
     out << '\n';

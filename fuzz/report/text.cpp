@@ -24,12 +24,13 @@ std::string in_capitals(std::string_view word) {
 void print_verdict(const Report& report, std::optional<double> seconds, std::ostream& out) {
   const Part total = report.total();
   const Tally& tally = total.tally;
-  out << in_capitals(name_of(report.verdict())) << "  " << report.scope.kernel << ": " << grouped(tally.cases) << " answers, "
+  out << in_capitals(name_of(report.verdict())) << "  " << report.scope.kernel << ": " << grouped(tally.answers) << " answers, "
       << grouped(tally.wrong_kinds()) << " wrong kinds, " << grouped(tally.misrounded)
       << " with a number not correctly rounded, worst error " << worst_error(tally) << " ulp";
   if (std::any_of(report.rows.begin(), report.rows.end(), is_mesh)) out << ", " << grouped(total.lost_rays) << " lost rays";
   if (const auto n = tally.count(Disagreement::failed); n != 0) out << ", " << grouped(n) << " cases without an answer";
   out << " (seed " << report.scope.seed;
+  if (const std::string modes = modes_told(report.scope); !modes.empty()) out << ", " << modes;
   if (!report.shards.empty()) out << ", shard";
   for (const Shard& shard : report.shards) out << ' ' << text_of(shard);
   if (seconds) out << formatted(", %.1f s", *seconds);
@@ -42,13 +43,13 @@ void print_verdict(const Report& report, std::optional<double> seconds, std::ost
 }
 
 void print_families(const Report& report, std::ostream& out) {
-  out << formatted("\n%-22s %-9s %10s %12s %10s %10s %12s %11s\n", "family", "precision", "cases", "wrong kinds", "lost hits",
+  out << formatted("\n%-22s %-9s %10s %12s %10s %10s %12s %11s\n", "family", "precision", "answers", "wrong kinds", "lost hits",
                    "false hits", "misrounded", "worst ulp");
   for (const Row& row : report.rows) {
     const Tally t = row.total().tally;
-    if (row.is_mesh || t.cases == 0) continue;
+    if (row.is_mesh || t.answers == 0) continue;
     out << formatted("%-22s %-9s %10llu %12llu %10llu %10llu %12llu %11s\n", row.name.c_str(), row.precision.c_str(),
-                     static_cast<unsigned long long>(t.cases), static_cast<unsigned long long>(t.wrong_kinds()),
+                     static_cast<unsigned long long>(t.answers), static_cast<unsigned long long>(t.wrong_kinds()),
                      static_cast<unsigned long long>(t.count(Disagreement::lost_hit)),
                      static_cast<unsigned long long>(t.count(Disagreement::false_hit)),
                      static_cast<unsigned long long>(t.misrounded), worst_error(t).c_str());
@@ -69,7 +70,7 @@ void print_meshes(const Report& report, std::ostream& out) {
     }
     out << formatted("%-34s %-9s %10llu %10llu %10llu %12llu %12llu %11s\n", row.name.c_str(), row.precision.c_str(),
                      static_cast<unsigned long long>(total.rays), static_cast<unsigned long long>(total.lost_rays),
-                     static_cast<unsigned long long>(t.cases), static_cast<unsigned long long>(t.wrong_kinds()),
+                     static_cast<unsigned long long>(t.answers), static_cast<unsigned long long>(t.wrong_kinds()),
                      static_cast<unsigned long long>(t.misrounded), worst_error(t).c_str());
   }
 }
@@ -101,6 +102,7 @@ void print_offenders(const Report& report, std::ostream& out) {
     if (shown++ == 0) out << "\nThe worst of each row:\n";
     const Offender& o = tally.offenders.front();
     out << "\n  " << row.name << ", " << o.precision << ", case " << o.index << ": " << name_of(o.comparison.disagreement);
+    if (o.mode != FloatMode::nearest) out << ", " << name_of(o.mode);
     if (o.comparison.error_ulps > 0) out << formatted(", %.4g ulp off", o.comparison.error_ulps);
     out << "\n    answers  " << o.answer << "\n    exact    " << o.truth << "\n    " << replay_command(report, o) << '\n';
   }

@@ -21,9 +21,11 @@ inline void add_case(Part& part, std::size_t row, std::uint64_t index) {
   }
   if (random.one_in(5)) comparison.allowed.add(static_cast<Deviation>(random.below(deviation_count)));
   const auto describe = [&] {
-    return Offender{{}, 0, row % 2 == 0 ? "float" : "double", "input " + std::to_string(index), "answer", "exact"};
+    const FloatMode mode = index % 2 == 0 ? FloatMode::nearest : FloatMode::upward;
+    return Offender{{}, 0, row % 2 == 0 ? "float" : "double", mode, "input " + std::to_string(index), "answer", "exact"};
   };
-  part.tally.add(comparison, index, describe);
+  part.tally.count_in(comparison);
+  part.tally.offer(comparison, index, describe);
   if (random.one_in(16)) ++part.tally.oracles_compared;
   part.tally.skipped += random.one_in(9);
   if (row == 1) {
@@ -43,7 +45,18 @@ inline Part part_of(std::size_t row, Range range) {
 /// Three rows of unlike length, one of them empty, nothing judged.
 inline Report blank() {
   Report report;
-  report.scope = {"0.0.0", "made-up", "for tests", {}, 1, 40, 16, {{"tetrahedron", 4, 17}}, "none", "-O9"};
+  report.scope = {"0.0.0",
+                  "made-up",
+                  "for tests",
+                  "--time-limit 7",
+                  {},
+                  1,
+                  40,
+                  16,
+                  {FloatMode::nearest, FloatMode::upward},
+                  {{"tetrahedron", 4, 17}},
+                  "none",
+                  "-O9"};
   report.cpus = {"abacus"};
   report.rows = {{"first", "float", false, 40}, {"second", "double", true, 23}, {"third", "float", true, 0, "no way in"}};
   return report;
@@ -66,9 +79,9 @@ inline Report cleaned(Report report) {
   for (Row& row : report.rows) {
     row.obstacle.clear();
     for (Part& part : row.parts) {
-      const std::uint64_t cases = part.tally.cases;
+      const std::uint64_t cases = part.tally.answers;
       part.tally = {};
-      part.tally.cases = part.tally.by_disagreement[0] = cases;
+      part.tally.answers = part.tally.by_disagreement[0] = cases;
       part.lost_rays = 0;
     }
   }

@@ -83,6 +83,8 @@ TEST_CASE("reports of other campaigns are refused by the name of the field, and 
   refused([](Report& r) { r.scope.kernel = "other"; }, "kernel/name: \"made-up\" and \"other\"");
   refused([](Report& r) { r.scope.declared.set.add(Deviation::no_root); }, "kernel/declares");
   refused([](Report& r) { r.scope.declared.t_ulps = 3; }, "kernel/");
+  refused([](Report& r) { r.scope.options = "--time-limit 8"; }, "kernel/options: ");
+  refused([](Report& r) { r.scope.modes.pop_back(); }, "scope/float_modes/1: \"up\" and missing");
   refused([](Report& r) { r.scope.second_oracle_every = 1; }, "scope/second_oracle_every: 16 and 1");
   refused([](Report& r) { r.scope.meshes[0].hash = 18; }, "scope/meshes/0/hash: ");
   refused([](Report& r) { r.scope.compiler = "other"; }, "scope/compiler: ");
@@ -99,10 +101,11 @@ TEST_CASE("the same part with another content is refused by row, cases and field
     INFO(wrong);
     CHECK(wrong.starts_with("first, float, cases 0 to 19: " + names));
   };
-  refused([](Part& p) { ++p.tally.cases; }, "answers: ");
+  refused([](Part& p) { ++p.tally.answers; }, "answers: ");
   refused([](Part& p) { ++p.tally.by_disagreement[8]; }, "disagreements/failed: ");
   refused([](Part& p) { ++p.input_hash; }, "input_hash: ");
   refused([](Part& p) { p.tally.offenders[0].answer = "another"; }, "offenders/0/answer: ");
+  refused([](Part& p) { p.tally.offenders[0].mode = FloatMode::downward; }, "offenders/0/float_mode: ");
 }
 
 TEST_CASE("a part that does not fit into a greater one is refused by field") {
@@ -117,7 +120,7 @@ TEST_CASE("a part that does not fit into a greater one is refused by field") {
     // The other way round it is the greater part that is added.
     CHECK(merge(part, of_shard({1, 1})).starts_with("first, float, cases 0 to 39: " + names));
   };
-  refused([](Part& p) { p.tally.cases = 41; }, "answers: 40 in the greater part and 41 in the lesser");
+  refused([](Part& p) { p.tally.answers = 41; }, "answers: 40 in the greater part and 41 in the lesser");
   refused([](Part& p) { p.tally.by_deviation[3] = 41; }, "allowed_deviations/");
   refused(
       [](Part& p) {

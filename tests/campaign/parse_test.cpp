@@ -53,6 +53,8 @@ TEST_CASE("a field that is missing, of another type or unfit is named") {
   refused("/rows/0/parts/0/errors_in_ulps/many", 1, "'many' is no size");
   refused("/rows/0/parts/0/allowed_deviations/all", 1, "'all' is no deviation");
   refused("/rows/0/parts/0/input_hash", "xyz", "'xyz' is no hash");
+  refused("/scope/float_modes/0", "sideways", "\"sideways\" is no floating-point mode");
+  refused("/scope/float_modes", Json::array(), "float_modes is empty");
   refused("/rows/0/parts/0/to", 41, "row first has parts out of order");
   refused("/rows/0/parts/0/to", 0, "row first has parts out of order");
   refused("/shards/0", "3/2", "\"3/2\" is no shard");

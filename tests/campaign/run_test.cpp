@@ -6,7 +6,7 @@
 namespace graze::fuzz {
 namespace {
 
-const Judges judges{*find_subject("cramer"), oracle::gmp_oracle(), oracle::cgal_oracle(), 16};
+const Judges judges{{find_subject("cramer")}, oracle::gmp_oracle(), oracle::cgal_oracle(), 16};
 
 const Plan& plan() {
   static const Campaign campaign{3, 700, {find_family("edge-corner"), find_family("rounding")}, {icosphere(1)}};
@@ -63,7 +63,7 @@ TEST_CASE("a stop is heeded at once, and what is covered was judged") {
   const std::atomic<bool> stop = true;
   Report report = blank({});
   go_on(report, {}, &stop);
-  REQUIRE(report.total().tally.cases == 0);
+  REQUIRE(report.total().tally.answers == 0);
   REQUIRE(report.verdict() == Verdict::incomplete);
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("the hash of the inputs is one of inputs, not of the kernel, and chang
   const auto hash = [](std::uint64_t seed, const char* kernel) {
     const Campaign campaign{seed, 50, {find_family("coplanar")}, {icosphere(1)}};
     const Plan other(campaign);
-    const Judges by{*find_subject(kernel), judges.first, judges.second, 0};
+    const Judges by{{find_subject(kernel)}, judges.first, judges.second, 0};
     Ledger ledger(other.rows());
     Progress progress;
     run(other, by, {}, ledger, progress);

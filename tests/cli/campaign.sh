@@ -34,6 +34,9 @@ cmp -s part.json whole.json || fail "a merged part can be gone on with"
 certify --shard 2/3 --seed 2 --json other.json
 run merge 1.json other.json 3.json
 expect "another seed" 2 "" "graze: 1.json and other.json cannot be merged: scope/seed: 1 and 2"
+certify --shard 2/3 --float-mode up --json up.json
+run merge 1.json up.json 3.json
+expect "another floating-point mode" 2 "" 'graze: 1.json and up.json cannot be merged: scope/float_modes/0: "nearest" and "up"'
 run merge 1.json 2.json other.json 3.json
 expect_like "the file at fault is named" 2 err "1.json and other.json cannot be merged"
 sed 's/"misrounded": [1-9]/&0/' 2.json >forged.json
@@ -132,6 +135,8 @@ expect_like "one of two is wrong" 1 out "cramer"
 grep -q '^fan  *double  *0 %, <= 0.5 ' out || fail "families against kernels"
 run certify --compare graze --families fan --cases 100 </dev/null
 expect_like "all are right" 0 out "pass"
+run certify --compare graze cramer --families fan --cases 100 --float-mode all </dev/null
+expect_like "side by side in all modes" 1 out "1,000 "
 run certify --compare graze nonesuch </dev/null
 expect_like "an unknown kernel to compare" 2 err "no kernel is named 'nonesuch'"
 for option in '--json x' '--junit x' '--shard 1/2' '--resume' '--kernel graze'; do

@@ -29,14 +29,32 @@ cmp -s a b || fail "the same seed gives the same table"
 run certify --cases 500 --kernel textbook-naive --families quaternion-tangent,implicit </dev/null
 expect_like "a textbook kernel fails" 1 out "FAIL  textbook-naive: "
 expect_like "its offenders are told" 1 out "lost hit"
-# The first replay command gives the answer that the report prints above it.
-answer=$(sed -n 's/^    answers  //p' out | head -n 1)
-line=$(sed -n "s/^    echo '\\(.*\\)' | graze answer.*/\\1/p" out | head -n 1)
-options=$(sed -n 's/.*| graze //p' out | head -n 1)
-# The options are separate words.
-# shellcheck disable=SC2086
-replayed=$(printf '%s\n' "$line" | "$graze" $options)
-if [ -z "$answer" ] || [ "$answer" != "$replayed" ]; then fail "the replay command repeats '$answer', not '$replayed'"; fi
+expect_replays "a textbook kernel"
+
+# Floating-point modes: the kernel is called in them, the oracles are not.
+run certify --cases 500 --kernel textbook-naive --families random --float-mode nearest </dev/null
+grep "^random  *double" out >nearest
+if grep -q "mode" out; then fail "the default mode is not worth a word"; fi
+for mode in up down zero; do
+  run certify --cases 500 --kernel textbook-naive --families random --float-mode $mode --json report.json </dev/null
+  expect_like "misrounded where rounding is $mode" 1 out ", rounding "
+  grep "^random  *double" out >other
+  if cmp -s nearest other; then fail "rounding $mode changes what a textbook kernel answers"; fi
+  if [ "$(json report.json 'scope;float_modes;0')" != $mode ]; then fail "the report says $mode"; fi
+  expect_replays "rounding $mode"
+  grep -q -e "--float-mode $mode" command || fail "the replay command says $mode"
+done
+run certify --cases 500 --kernel textbook-naive --families range --float-mode ftz-daz </dev/null
+expect_like "subnormal numbers are flushed" 1 out "FAIL  textbook-naive"
+expect_replays "with subnormal numbers flushed"
+run certify --cases 100 --families range --json report.json </dev/null
+expect_like "graze promises all modes" 0 out "(seed 1, all 5 floating-point modes, "
+expect_like "an answer in each" 0 out "range                  double           500"
+if [ "$(json report.json 'scope;float_modes' | tr -d ' \n')" != '["nearest","up","down","zero","ftz-daz"]' ]; then fail "all modes are told"; fi
+run certify --cases 100 --families range --float-mode down,nearest </dev/null
+expect_like "some modes" 0 out "(seed 1, the default rounding mode, rounding downward, "
+run certify --cases 100 --families range --float-mode sideways </dev/null
+expect_like "no such mode" 2 err "graze: --float-mode sideways: there are nearest, up, down, zero, ftz-daz, all"
 
 for kernel in textbook-stable textbook-repaired haines-sphere goualard-quadratic pbrt-interval woop-watertight cgal-epick \
   cramer moller-trumbore; do

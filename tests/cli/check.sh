@@ -35,6 +35,23 @@ expect_like() {
   if ! grep -qF -e "$4" "$3"; then fail "$1: wanted in $3: $4"; fi
 }
 
+# replay NUMBER: runs that replay command of the last report, as it is printed in `out`, its words to `replayed` and `err`.
+replay() {
+  if [ ! -e replay_path/graze ]; then mkdir -p replay_path && ln -s "$graze" replay_path/graze; fi
+  sed -n "s/^    \\(echo '.* | graze answer .*\\)/\\1/p" out | sed -n "$1p" >command
+  PATH=$work/replay_path:$PATH sh ./command >replayed 2>err </dev/null
+  status=$?
+}
+
+# expect_replays NAME: the first replay command gives the answer that the report prints above it.
+expect_replays() {
+  answer=$(sed -n 's/^    answers  //p' out | head -n 1)
+  replay 1
+  if [ "$status" != 0 ] || [ -z "$answer" ] || [ "$answer" != "$(cat replayed)" ]; then
+    fail "$1: the replay command repeats '$answer', not '$(cat replayed)': $(cat command)"
+  fi
+}
+
 finish() {
   if [ "$failures" -ne 0 ]; then
     echo "$failures failed"

@@ -35,6 +35,19 @@ run shrink --kernel textbook-stable two </dev/null
 expect_like "a query that is not offered does not fail" 1 err "two:1: kernel textbook-stable does not fail"
 expect_like "and the next line does" 1 out "ray_sphere"
 
+# In another floating-point mode another case fails.
+third='ray_sphere 0 0 0  1 2 2  1 1 0  1'
+run shrink --kernel graze --float-mode up "$third" </dev/null
+expect_like "the kernel fails in no mode" 0 err "does not fail"
+run shrink --kernel textbook-repaired --float-mode up 'ray_sphere 0 0 0  3 0 0  4 0 0  3' </dev/null
+expect_like "one that fails where rounding is up alone" 1 out "rounding upward, where textbook-repaired answers"
+run shrink --kernel textbook-repaired 'ray_sphere 0 0 0  3 0 0  4 0 0  3' </dev/null
+expect_like "and not by default" 0 err "does not fail"
+run shrink --kernel textbook-repaired --test --float-mode up "$third" </dev/null
+expect_like "no test in another mode" 2 err "graze: --test writes tests that run in the default floating-point mode"
+run shrink --float-mode sideways "$third" </dev/null
+expect_like "no such mode" 2 err "'sideways' is none of nearest, up, down, zero, ftz-daz"
+
 run shrink --kernel textbook-stable --trials 3 "$center" </dev/null
 expect_like "bounded trials" 1 err "the trials ran out"
 run shrink --trials 0 "$center" </dev/null

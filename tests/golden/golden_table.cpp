@@ -37,7 +37,7 @@ void print(const Row& row) {
   const Tally& t = part.tally;
   std::uint64_t allowed = 0;
   for (const std::uint64_t n : t.by_deviation) allowed += n;
-  std::printf("%-28s %-6s %6llu %6llu", row.name.c_str(), row.precision.c_str(), static_cast<unsigned long long>(t.cases),
+  std::printf("%-28s %-6s %6llu %6llu", row.name.c_str(), row.precision.c_str(), static_cast<unsigned long long>(t.answers),
               static_cast<unsigned long long>(t.skipped));
   for (std::size_t i = 1; i < disagreement_count; ++i)
     std::printf(" %5llu", static_cast<unsigned long long>(t.by_disagreement[i]));
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
   const Plan plan(campaign);
   Ledger ledger(plan.rows());
   Progress progress;
-  run(plan, {*subject, graze::oracle::gmp_oracle(), graze::oracle::cgal_oracle(), 16}, {}, ledger, progress);
+  run(plan, {{subject}, graze::oracle::gmp_oracle(), graze::oracle::cgal_oracle(), 16}, {}, ledger, progress);
   std::printf("%s depends on %s\n", argv[1], dependence(argv[1]).c_str());
   std::printf("Columns: answers, not offered; then by what is wrong: ");
   for (std::size_t i = 1; i < disagreement_count; ++i) {

@@ -18,7 +18,7 @@ namespace {
 
 template <Real T>
 std::string drawn(const Case<T>& input) {
-  return drawing({{}, 0, precision_name<T>, format_case(input), "", ""});
+  return drawing({{}, 0, precision_name<T>, FloatMode::nearest, format_case(input), "", ""});
 }
 
 /// The numbers of the first attribute of that name after `from`: "x='1 2'" has two.
@@ -126,7 +126,7 @@ TEST_CASE("points and what is no number have no picture") {
   CHECK(drawn(Case<double>(PointLine<double>{{1, 2}, {3, 4, 5}})).empty());
   CHECK(drawn(Case<double>(RaySphere<double>{{{0, 0, 0}, {1, 0, 0}}, {{0.0 / 0.0, 0, 0}, 1}})).empty());
   CHECK(drawn(Case<double>(RaySphere<double>{{{0, 0, 0}, {1, 0, 0}}, {{1.0 / 0.0, 0, 0}, 1}})).empty());
-  CHECK(drawing({{}, 0, "double", "no case", "", ""}).empty());
+  CHECK(drawing({{}, 0, "double", FloatMode::nearest, "no case", "", ""}).empty());
 }
 
 TEST_CASE("the histogram has a bar for each size that occurs, taller for more") {

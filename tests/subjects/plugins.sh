@@ -46,9 +46,7 @@ fails() {
   if [ "$failed" -lt 1 ] || [ "$failed" -gt 40 ]; then fail "$name: some cases are at fault, not $failed"; fi
   if [ "$(json report.json answers)" != "$answers" ]; then fail "$name: the others are counted: $answers"; fi
   # The case at fault, alone, brings the fault about again.
-  line=$(sed -n "s/^    echo '\\(.*\\)' | graze answer.*/\\1/p" out | head -n 1)
-  printf '%s\n' "$line" >case_at_fault
-  run answer --kernel "$kernel_at_fault" "$@" case_at_fault </dev/null
+  replay 1
   expect_like "$name: replayed" 2 err "$message"
 }
 fails "a library that crashes" "$plugins/crash.so" "crashed (signal 6, Aborted)"
@@ -78,6 +76,34 @@ if grep -q "float" out; then fail "and not in float"; fi
 run certify --families edge-corner --cases 500 --kernel "exec:'$graze' answer --details --kernel moller-trumbore" \
   --declare ray_triangle,coplanar-is-miss,degenerate-is-miss </dev/null
 expect_like "a program declares" 1 out "coplanar-is-miss"
+expect_replays "a program that declares"
+run certify --families edge-corner --cases 50 --json declared.json --kernel "exec:'$graze' answer --details --kernel moller-trumbore" \
+  --declare 'ray_triangle, t-ulps=8' --time-limit 30 </dev/null
+expect_replays "and with blanks"
+grep -q -e "--declare 'ray_triangle, t-ulps=8' --time-limit 30\$" command || fail "what was declared is in the replay command"
+grep -q '"options": "--declare .ray_triangle, t-ulps=8. --time-limit 30"' declared.json || fail "and in the report"
+run merge declared.json
+expect_replays "a report that was read"
+
+# Floating-point modes: a library is called in them, a program is told of them.
+of_double() { grep "^random  *double" out; }
+run certify --families random --cases 2000 --kernel "$plugins/my_kernel.so" </dev/null
+of_double >nearest
+run certify --families random --cases 2000 --kernel "$plugins/my_kernel.so" --float-mode up </dev/null
+of_double >up
+if cmp -s nearest up; then fail "a library is called in another mode"; fi
+for mode in up ftz-daz; do
+  run certify --families random,range --cases 300 --kernel textbook-naive --float-mode $mode </dev/null
+  grep -e '^random' -e '^range' out >built_in
+  run certify --families random,range --cases 300 --float-mode $mode \
+    --kernel "exec:'$graze' answer --details --precision {precision} --kernel textbook-naive --float-mode {float-mode}" \
+    --declare ray_sphere,point_line,point_plane,point_sphere </dev/null
+  grep -e '^random' -e '^range' out >as_program
+  cmp -s built_in as_program || fail "a program that takes the mode $mode answers as the kernel does in it: $(diff built_in as_program)"
+  expect_replays "a program in the mode $mode"
+done
+run certify --families random --cases 10 --kernel "exec:cat" --float-mode up </dev/null
+expect_like "a program that does not take the mode" 2 err "exec:cat: a program sets its own floating-point mode: take {float-mode} into the command"
 
 certify "exec:'$plugins/talker' honest"
 expect_like "an honest talker loses hits" 1 out "lost hit"
@@ -97,6 +123,57 @@ fails "a program that hangs" "exec:'$plugins/talker' hang" "hung: no answer with
 fails "a line without end" "exec:'$plugins/talker' endless" "answered a line without end"
 certify "exec:'$plugins/talker' unflushed"
 if [ "$(json report.json "disagreements;failed")" != 0 ]; then fail "a program need not flush"; fi
+
+# What hangs for ever is ended with all that it has started, and however the certifier ends.
+cat >hang.sh <<'SCRIPT'
+while read -r line; do
+  sleep 1000 &
+  echo "$! $$" >>pids
+  while :; do :; done
+done
+SCRIPT
+# A process that nobody has waited for yet is as good as gone.
+is_alive() { kill -0 "$1" 2>/dev/null && ! grep -q '^State:[[:space:]]*Z' "/proc/$1/status" 2>/dev/null; }
+# expect_all_gone NAME NUMBER: at least so many processes have noted themselves, and none of them is left after some seconds.
+expect_all_gone() {
+  tries=0
+  while [ $tries -lt 100 ]; do
+    alive=
+    for pid in $(cat pids); do if is_alive "$pid"; then alive="$alive $pid"; fi; done
+    if [ -z "$alive" ]; then break; fi
+    tries=$((tries + 1))
+    sleep 0.1
+  done
+  if [ -n "$alive" ]; then fail "$1: left running:$alive" && kill -KILL $alive; fi
+  if [ "$(wc -w <pids)" -lt "$2" ]; then fail "$1: the processes noted themselves"; fi
+  rm -f pids
+}
+run certify --families random --cases 6 --kernel 'exec:sh hang.sh' --time-limit 0.2 </dev/null
+expect_like "a program that hangs with a child" 1 out "hung: no answer within 0.2 s"
+expect_all_gone "after the end" 12
+# begin: the certifier in the background, until a program of it hangs.
+begin() {
+  "$graze" certify --families random --kernel 'exec:sh hang.sh' --time-limit 100 >out 2>err </dev/null &
+  certifier=$!
+  tries=0
+  until [ -s pids ] || [ $tries -eq 100 ]; do
+    tries=$((tries + 1))
+    sleep 0.1
+  done
+}
+begin
+is_alive "$(cut -d ' ' -f 1 pids | head -n 1)" || fail "the child of what hangs is seen"
+kill -KILL $certifier
+wait $certifier 2>/dev/null
+status=$?
+expect_all_gone "after SIGKILL" 2
+begin
+kill -TERM $certifier
+sleep 0.3
+kill -TERM $certifier
+wait $certifier 2>/dev/null
+status=$?
+expect_all_gone "after the second interrupt" 2
 
 # What can't be opened.
 refused() {

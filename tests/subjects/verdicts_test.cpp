@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fuzz/certify/check.hpp"
+#include "fuzz/in_float_mode.hpp"
 #include "tests/catch.hpp"
 
 using namespace graze;
@@ -228,26 +229,29 @@ Tally part(std::uint64_t from, std::uint64_t to) {
     [[nodiscard]] Reply<double> answer(const Case<double>&) const override { return {}; }
     Deviations declared_{{Deviation::coplanar_is_miss}};
   } nobody;
-  const Judges judges{nobody, oracle::gmp_oracle(), oracle::gmp_oracle(), 0};
+  const Judges judges{{&nobody}, oracle::gmp_oracle(), oracle::gmp_oracle(), 0};
+  const auto check_one = [&](const Case<double>& input, Reply<double> reply, std::uint64_t index) {
+    check(judges, input, Replies<double>{{std::move(reply)}}, 0, index, tally);
+  };
   for (std::uint64_t i = from; i < to; ++i) {
     switch (i % 6) {
       case 0:
-        check(judges, face, Reply<double>(Answer<double>(face_answer)), i, tally);
+        check_one(face, Reply<double>(Answer<double>(face_answer)), i);
         break;
       case 1:
-        check(judges, face, Reply<double>(Answer<double>(late)), i, tally);
+        check_one(face, Reply<double>(Answer<double>(late)), i);
         break;
       case 2:
-        check(judges, coplanar, Reply<double>(Answer<double>(Triangle3{})), i, tally);
+        check_one(coplanar, Reply<double>(Answer<double>(Triangle3{})), i);
         break;
       case 3:
-        check(judges, secant, Reply<double>::failed("crashed"), i / 12, tally);  // an index that several share
+        check_one(secant, Reply<double>::failed("crashed"), i / 12);  // an index that several share
         break;
       case 4:
-        check(judges, face, Reply<double>::failed("crashed"), i / 12, tally);
+        check_one(face, Reply<double>::failed("crashed"), i / 12);
         break;
       default:
-        check(judges, secant, Reply<double>(), i, tally);
+        check_one(secant, Reply<double>(), i);
     }
   }
   return tally;
@@ -255,7 +259,7 @@ Tally part(std::uint64_t from, std::uint64_t to) {
 
 /// Everything in the tally, as text.
 std::string text(const Tally& t) {
-  std::string s = std::to_string(t.cases) + " " + std::to_string(t.skipped) + " " + std::to_string(t.misrounded) + " " +
+  std::string s = std::to_string(t.answers) + " " + std::to_string(t.skipped) + " " + std::to_string(t.misrounded) + " " +
                   std::to_string(t.worst_ulps) + " " + std::to_string(t.oracles_compared);
   const auto list = [&](const auto& counts) {
     for (const auto n : counts) s += " " + std::to_string(n);
@@ -273,7 +277,7 @@ std::string text(const Tally& t) {
 
 TEST_CASE("a tally counts answers, deviations, failures and what was not offered") {
   const Tally t = part(0, 60);
-  CHECK(t.cases == 50);
+  CHECK(t.answers == 50);
   CHECK(t.skipped == 10);
   CHECK(t.count(Disagreement::none) == 20);
   CHECK(t.count(Disagreement::misrounded) == 10);
@@ -291,6 +295,31 @@ TEST_CASE("a tally counts answers, deviations, failures and what was not offered
   CHECK(clean.is_clean());
   clean.merge(part(1, 2));
   CHECK(!clean.is_clean());
+}
+
+TEST_CASE("a case is told once, in the mode in which it fails worst") {
+  const Subject& graze = *find_subject("graze");
+  const InFloatMode upward(graze, FloatMode::upward), downward(graze, FloatMode::downward);
+  const Judges judges{{&graze, &upward, &downward}, oracle::gmp_oracle(), oracle::gmp_oracle(), 0};
+  const Triangle3 late = but(face_answer, [](auto& h) { h.t = 1.5; });
+  const Reply<double> right(face_answer), off(late), lost(Triangle3{});
+  Tally tally;
+  check(judges, face, Replies<double>{{right}, {lost}, {lost}}, 0, 0, tally);
+  check(judges, face, Replies<double>{{off}, {right}, {off}}, 0, 1, tally);
+  check(judges, face, Replies<double>{{right}, {off}, {lost}}, 0, 2, tally);
+  CHECK(tally.answers == 9);
+  CHECK(tally.count(Disagreement::lost_hit) == 3);
+  CHECK(tally.count(Disagreement::misrounded) == 3);
+  REQUIRE(tally.offenders.size() == 3);
+  const auto told = [&](std::size_t i, std::uint64_t index, FloatMode mode, Disagreement disagreement) {
+    const Offender& o = tally.offenders[i];
+    CHECK(o.index == index);
+    CHECK(o.mode == mode);
+    CHECK(o.comparison.disagreement == disagreement);
+  };
+  told(0, 0, FloatMode::upward, Disagreement::lost_hit);
+  told(1, 2, FloatMode::downward, Disagreement::lost_hit);
+  told(2, 1, FloatMode::nearest, Disagreement::misrounded);
 }
 
 TEST_CASE("tallies merge in any order and grouping") {
