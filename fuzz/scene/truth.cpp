@@ -4,6 +4,7 @@
 
 #include "fuzz/case_text.hpp"
 #include "fuzz/same_bits.hpp"
+#include "graze/numeric/bits.hpp"
 
 namespace graze::fuzz {
 namespace {
@@ -118,11 +119,48 @@ std::optional<std::string> find_scene_fault(const Scene<T>& scene, const SceneDr
   return {};
 }
 
+template <Real T>
+Place place_truth(const SceneDraft<T>& scene, const Vec3<T>& point, Random& random) {
+  const oracle::Oracle& oracle = oracle::gmp_oracle();
+  bool is_inside_spheres = false;
+  for (const auto& primitive : scene.primitives) {
+    if (primitive.shape == Shape::sphere) {
+      const Sign sign = oracle.side(point, primitive.sphere).sign;
+      if (sign == Sign::zero) return Place::boundary;
+      is_inside_spheres ^= sign == Sign::negative;
+    } else {
+      // Of the ray nothing but its origin.
+      const auto hit = oracle.answer(Ray<T>{point, {1, 0, 0}, 0, 0}, primitive.triangle);
+      if (hit.kind != TriangleKind::miss) return Place::boundary;
+    }
+  }
+  const auto odd = [&](const Vec3<T>& direction) -> std::optional<bool> {
+    bool is_odd = false;
+    for (const auto& primitive : scene.primitives) {
+      if (primitive.shape == Shape::sphere) continue;
+      const TriangleKind kind = oracle.answer(Ray<T>{point, direction}, primitive.triangle).kind;
+      if (kind != TriangleKind::miss && kind != TriangleKind::face) return {};
+      is_odd ^= kind == TriangleKind::face;
+    }
+    return is_odd;
+  };
+  for (int i = 0; i < 50; ++i) {
+    Vec3<T> direction;
+    for (T* d : {&direction.x, &direction.y, &direction.z}) *d = static_cast<T>(random.between(-1'000'000, 1'000'000));
+    if (numeric::is_zero(direction)) continue;
+    if (const auto is_odd = odd(direction)) return *is_odd != is_inside_spheres ? Place::inside : Place::outside;
+  }
+  return Place::unknown;
+}
+
 template SceneTruth<float> scene_truth(const SceneDraft<float>&, const Ray<float>&, const QueryOptions&);
 template SceneTruth<double> scene_truth(const SceneDraft<double>&, const Ray<double>&, const QueryOptions&);
 template std::optional<std::string> find_scene_fault(const Scene<float>&, const SceneDraft<float>&, const Ray<float>&,
                                                      const QueryOptions&);
 template std::optional<std::string> find_scene_fault(const Scene<double>&, const SceneDraft<double>&, const Ray<double>&,
                                                      const QueryOptions&);
+
+template Place place_truth(const SceneDraft<float>&, const Vec3<float>&, Random&);
+template Place place_truth(const SceneDraft<double>&, const Vec3<double>&, Random&);
 
 }  // namespace graze::fuzz

@@ -27,4 +27,9 @@ template <Real T>
 [[nodiscard]] std::optional<std::string> find_scene_fault(const Scene<T>& scene, const SceneDraft<T>& draft, const Ray<T>& ray,
                                                           const QueryOptions& options);
 
+/// Where a finite point lies against the draft's surface, which is closed: by the hits on a way out that meets no edge and no
+/// corner. Unknown where no such way is found, which is for chance to decide.
+template <Real T>
+[[nodiscard]] Place place_truth(const SceneDraft<T>& scene, const Vec3<T>& point, Random& random);
+
 }  // namespace graze::fuzz

@@ -1,0 +1,132 @@
+# Planted bugs in scenes, which generated scenes or the fuzzer's seeds must find. Compiled for one instruction set of four lanes.
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  return()
+endif()
+include(${PROJECT_SOURCE_DIR}/tests/mutants/mutant.cmake)
+get_target_property(scene_sources graze_scene SOURCES)
+set(scene_options -msse4.2 -maes -mpclmul -DHWY_COMPILE_ONLY_STATIC)
+
+foreach(source ${scene_sources})
+  string(MAKE_C_IDENTIFIER "unmutated_${source}" name)
+  graze_kernel_objects(${name} OPTIONS ${scene_options} INCLUDES ${kernel_includes} SOURCES ${kernel_dir}/${source})
+endforeach()
+# Those who find it, over any kernel: generated scenes against the oracle, and the replay of the fuzzer's seeds.
+add_library(scene_mutant_campaign OBJECT ${PROJECT_SOURCE_DIR}/fuzz/scene/campaign.cpp)
+add_library(scene_mutant_corpus OBJECT ${PROJECT_SOURCE_DIR}/fuzz/targets/scene.cpp ${PROJECT_SOURCE_DIR}/fuzz/targets/replay.cpp
+                                       ${PROJECT_SOURCE_DIR}/fuzz/scene/scene_bytes.cpp)
+add_library(scene_mutant_truth OBJECT ${PROJECT_SOURCE_DIR}/fuzz/scene/draft.cpp ${PROJECT_SOURCE_DIR}/fuzz/scene/truth.cpp)
+foreach(part campaign corpus truth)
+  target_link_libraries(scene_mutant_${part} PRIVATE graze_judge graze::graze)
+endforeach()
+
+# graze_scene_mutant(NAME BY campaign|corpus MODELS sentence FILE file FIND text REPLACE text); without a file it is the control, which
+# must not be caught.
+function(graze_scene_mutant name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "BY;MODELS;FILE;FIND;REPLACE" "")
+  set(overlay ${CMAKE_CURRENT_BINARY_DIR}/${name})
+  set(mutated)
+  set(objects $<TARGET_OBJECTS:scene_mutant_${arg_BY}> $<TARGET_OBJECTS:scene_mutant_truth>)
+  if(arg_FILE)
+    graze_write_mutated(${name} ${arg_FILE} "${arg_FIND}" "${arg_REPLACE}" ${overlay}/${arg_FILE})
+  endif()
+  foreach(source ${scene_sources})
+    set(is_mutated FALSE)
+    if(arg_FILE)
+      graze_depends_on(${source} ${arg_FILE} is_mutated)
+    endif()
+    string(MAKE_C_IDENTIFIER "unmutated_${source}" unmutated)
+    if(source STREQUAL arg_FILE)
+      list(APPEND mutated ${overlay}/${source})
+    elseif(is_mutated)
+      list(APPEND mutated ${kernel_dir}/${source})
+    else()
+      list(APPEND objects $<TARGET_OBJECTS:${unmutated}>)
+    endif()
+  endforeach()
+  if(mutated)
+    graze_kernel_objects(mutated_scene_${name} OPTIONS ${scene_options} INCLUDES ${overlay}/include ${overlay}/src ${kernel_includes}
+                         SOURCES ${mutated})
+    list(APPEND objects $<TARGET_OBJECTS:mutated_scene_${name}>)
+  endif()
+  add_executable(mutant_scene_${name} ${objects})
+  target_link_libraries(mutant_scene_${name} PRIVATE graze_judge graze::graze hwy::hwy)
+  if(arg_BY STREQUAL "campaign")
+    set(command mutant_scene_${name} 20000)
+    set(sentence "of seed [0-9]+: ")
+  else()
+    set(command mutant_scene_${name} ${PROJECT_SOURCE_DIR}/fuzz/corpus/scene)
+    set(sentence "The scene is wrong")
+  endif()
+  if(arg_FILE)
+    add_test(NAME "scene: ${name} is caught" COMMAND ${command})
+    set_tests_properties("scene: ${name} is caught" PROPERTIES TIMEOUT 120 PASS_REGULAR_EXPRESSION "${sentence}")
+  else()
+    add_test(NAME "scene: the kernel itself is not caught by the ${arg_BY}" COMMAND ${command})
+    set_tests_properties("scene: the kernel itself is not caught by the ${arg_BY}" PROPERTIES TIMEOUT 120)
+  endif()
+endfunction()
+
+graze_scene_mutant(none_in_campaign BY campaign)
+graze_scene_mutant(none_in_corpus BY corpus)
+
+graze_scene_mutant(
+  box_inward
+  BY campaign
+  MODELS "a box's low side rounded inward by 2^-20 of the coordinate"
+  FILE src/scene/space.hpp
+  FIND [[static_cast<float>(v - (0x1p-22 * size + 2 * error))]]
+  REPLACE [[static_cast<float>(v + 0x1p-20 * size)]])
+
+graze_scene_mutant(
+  box_offset
+  BY campaign
+  MODELS "the offsets of the box test not widened by what they err"
+  FILE src/scene/box_ray.hpp
+  FIND [[double g = 0x1p-21 * __builtin_fabs(f[k]) + 2 * error + 0x1p-90]]
+  REPLACE [[double g = 0]])
+
+graze_scene_mutant(
+  tie_later_index
+  BY campaign
+  MODELS "of equal t the highest index"
+  FILE src/scene/query.hpp
+  FIND [[order < 0 : one.index < other.index]]
+  REPLACE [[order < 0 : one.index > other.index]])
+
+graze_scene_mutant(
+  end_too_early
+  BY campaign
+  MODELS "the ray cut off at the lower bound of the nearest hit"
+  FILE src/scene/kernels.cpp
+  FIND [[this->end_at(best.t.high);]]
+  REPLACE [[this->end_at(best.t.low);]])
+
+graze_scene_mutant(
+  enclosure_too_small
+  BY campaign
+  MODELS "the enclosure of a triangle's t without the determinant's error"
+  FILE src/scene/enclose.hpp
+  FIND [[(terms.distance_error + size * terms.error)]]
+  REPLACE [[(0x1p-30 * terms.distance_error)]])
+
+graze_scene_mutant(
+  parity_skips_corner
+  BY corpus
+  MODELS "a way out that meets a corner not perturbed the second time"
+  FILE src/exact/parity.cpp
+  FIND [[return z != 0 ? z : compare(v.y, u.y);]]
+  REPLACE [[return z;]])
+
+graze_scene_mutant(
+  refit_keeps_boxes
+  BY corpus
+  MODELS "refitting gives the leaves their shapes but the nodes no boxes"
+  FILE src/scene/build.cpp
+  FIND [[      node.set(i, box, child);
+    }
+  }
+  data.root = Box::empty();]]
+  REPLACE [[      box = node.box(i);
+    }
+  }
+  data.root = Box::empty();]])
