@@ -20,11 +20,11 @@ using fuzz::RayTriangle;
 
 template <Real T>
 bool decide(const RayTriangle<T>& query) {
-  return predicates::hits_in_doubt(query.ray, query.triangle, predicates::triangle_terms<double>(query.ray, query.triangle));
+  return predicates::hits_in_doubt(query.ray, query.triangle);
 }
 template <Real T>
 bool decide(const RaySphere<T>& query) {
-  return predicates::hits_in_doubt(query.ray, query.sphere, predicates::sphere_terms<double>(query.ray, query.sphere));
+  return predicates::hits_in_doubt(query.ray, query.sphere);
 }
 
 template <Real T>

@@ -27,10 +27,10 @@ template <Real T>
 }  // namespace exact
 
 namespace predicates {
-/// `hits` where the filter in double, whose terms these are, is in doubt: in double-double, then `exact`. Compiled in the
-/// library.
+/// `hits` where the filter in double is in doubt: by short integers where these hold the input, else by `exact`. Compiled in
+/// the library.
 template <Real T>
-[[nodiscard]] bool hits_in_doubt(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms<double>& terms) noexcept;
+[[nodiscard]] bool hits_in_doubt(const Ray<T>& ray, const Sphere<T>& sphere) noexcept;
 /// `hits` where the filter in float is in doubt: the filter in double, then the former. Compiled in the library.
 [[nodiscard]] bool hits_in_double(const Ray<float>& ray, const Sphere<float>& sphere) noexcept;
 }  // namespace predicates
@@ -60,7 +60,7 @@ template <Real T>
   if constexpr (sizeof(T) < sizeof(double)) {
     return predicates::hits_in_double(ray, sphere);
   } else {
-    return predicates::hits_in_doubt(ray, sphere, terms);
+    return predicates::hits_in_doubt(ray, sphere);
   }
 }
 

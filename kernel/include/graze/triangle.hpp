@@ -27,10 +27,10 @@ template <Real T>
 }  // namespace exact
 
 namespace predicates {
-/// `hits` where the filter in double, whose terms these are, is in doubt: in double-double, then `exact`. Compiled in the
-/// library.
+/// `hits` where the filter in double is in doubt: by short integers where these hold the input, else by `exact`. Compiled in
+/// the library.
 template <Real T>
-[[nodiscard]] bool hits_in_doubt(const Ray<T>& ray, const Triangle<T>& triangle, const TriangleTerms<double>& terms) noexcept;
+[[nodiscard]] bool hits_in_doubt(const Ray<T>& ray, const Triangle<T>& triangle) noexcept;
 /// `hits` where the filter in float is in doubt: the filter in double, then the former. Compiled in the library.
 [[nodiscard]] bool hits_in_double(const Ray<float>& ray, const Triangle<float>& triangle) noexcept;
 }  // namespace predicates
@@ -56,13 +56,12 @@ template <Real T>
 template <Real T>
 [[nodiscard]] inline bool hits(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   using predicates::TriangleVerdict;
-  const predicates::TriangleTerms<T> terms = predicates::triangle_terms<T>(ray, triangle);
-  const TriangleVerdict verdict = predicates::verdict(terms, ray);
+  const TriangleVerdict verdict = predicates::verdict(predicates::triangle_terms<T>(ray, triangle), ray);
   if (verdict != TriangleVerdict::uncertain) return verdict == TriangleVerdict::face;
   if constexpr (sizeof(T) < sizeof(double)) {
     return predicates::hits_in_double(ray, triangle);
   } else {
-    return predicates::hits_in_doubt(ray, triangle, terms);
+    return predicates::hits_in_doubt(ray, triangle);
   }
 }
 

@@ -19,7 +19,10 @@ inline constexpr double lattice_fineness = 0x1p23;
 /// holds in every rounding mode; a subnormal x that denormals-are-zero hides differs in its bits and is not taken.
 class Lattice {
  public:
-  /// 2^-300 <= sum <= 2^300.
+  /// A sum away from underflow and overflow, and not NaN.
+  [[nodiscard]] static bool is_possible(double sum) noexcept { return is_ordinary<double, double>(sum, sum); }
+
+  /// Of a sum that is possible.
   explicit Lattice(double sum) noexcept : size_(lattice_fineness * sum) {
     constexpr std::uint64_t exponent_mask = infinity_bits<double>;
     steps_ = std::bit_cast<double>((std::uint64_t(2 * 1023 + 53) << 52) - (bits_of(size_) & exponent_mask));

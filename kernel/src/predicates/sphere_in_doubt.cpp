@@ -20,7 +20,9 @@ Meeting meeting(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
   const Vector<double> e = vector<double>(ray.origin), d = vector<double>(ray.direction);
   const Vector<double> c = vector<double>(sphere.center), l = c - e;
   const auto r = static_cast<double>(sphere.radius);
-  Lattice directions(magnitude_sum(d)), positions(magnitude_sum(l) + r);
+  const double length = magnitude_sum(d), size = magnitude_sum(l) + r;
+  if (!Lattice::is_possible(length) || !Lattice::is_possible(size)) return {};
+  Lattice directions(length), positions(size);
   directions.include(d);
   if (!directions.holds_all()) return {};
   positions.include(e), positions.include(c), positions.include(r);
@@ -36,33 +38,32 @@ Meeting meeting(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
 }  // namespace
 
 template <Real T>
-bool hits_in_doubt(const Ray<T>& ray, const Sphere<T>& sphere, const SphereTerms<double>& terms) noexcept {
+bool hits_in_doubt(const Ray<T>& ray, const Sphere<T>& sphere) noexcept {
 #if GRAZE_HAS_SHORT_INTEGERS
-  if (terms.are_bounded && is_plain<double>(ray, sphere) && !is_hidden(ray, sphere)) {
+  if (is_plain<double>(ray, sphere) && !is_hidden(ray, sphere)) {
     const Meeting met = meeting(ray, sphere);
     if (met.is_known) {
       if (!met.touches && !met.crosses) return false;
       if (numeric::is_default_range(ray)) return met.is_ahead;
       if (met.crosses) {
         // The filter's words on the range stand where there are two roots.
+        const SphereTerms<double> terms = sphere_terms<double>(ray, sphere);
         const SphereVerdict answer = verdict_of_secant(terms, ray);
-        if (answer.kind != SphereKind::invalid) return answer.kind == SphereKind::secant;
+        if (terms.are_bounded && answer.kind != SphereKind::invalid) return answer.kind == SphereKind::secant;
       }
     }
   }
-#else
-  (void)terms;
 #endif
   return exact::hits(ray, sphere);
 }
 
-template bool hits_in_doubt(const Ray<float>&, const Sphere<float>&, const SphereTerms<double>&) noexcept;
-template bool hits_in_doubt(const Ray<double>&, const Sphere<double>&, const SphereTerms<double>&) noexcept;
+template bool hits_in_doubt(const Ray<float>&, const Sphere<float>&) noexcept;
+template bool hits_in_doubt(const Ray<double>&, const Sphere<double>&) noexcept;
 
 bool hits_in_double(const Ray<float>& ray, const Sphere<float>& sphere) noexcept {
   SphereTerms<double> terms = sphere_terms<double>(ray, sphere);
   const SphereKind answer = verdict(terms, ray, sphere).kind;
-  return answer == SphereKind::invalid ? hits_in_doubt(ray, sphere, terms) : answer == SphereKind::secant;
+  return answer == SphereKind::invalid ? hits_in_doubt(ray, sphere) : answer == SphereKind::secant;
 }
 
 }  // namespace graze::predicates

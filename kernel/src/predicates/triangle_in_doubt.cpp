@@ -18,7 +18,9 @@ Meeting meeting(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
   const Vector<double> e = vector<double>(ray.origin), d = vector<double>(ray.direction);
   const Vector<double> a = vector<double>(triangle.a), b = vector<double>(triangle.b), c = vector<double>(triangle.c);
   const Vector<double> e1 = b - a, e2 = c - a, t = e - a;
-  Lattice directions(magnitude_sum(d)), positions(magnitude_sum(e1) + magnitude_sum(e2) + magnitude_sum(t));
+  const double length = magnitude_sum(d), size = magnitude_sum(e1) + magnitude_sum(e2) + magnitude_sum(t);
+  if (!Lattice::is_possible(length) || !Lattice::is_possible(size)) return Meeting::unknown;
+  Lattice directions(length), positions(size);
   directions.include(d);
   if (!directions.holds_all()) return Meeting::unknown;
   positions.include(e), positions.include(a), positions.include(b), positions.include(c);
@@ -38,31 +40,30 @@ Meeting meeting(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
 }  // namespace
 
 template <Real T>
-bool hits_in_doubt(const Ray<T>& ray, const Triangle<T>& triangle, const TriangleTerms<double>& terms) noexcept {
+bool hits_in_doubt(const Ray<T>& ray, const Triangle<T>& triangle) noexcept {
 #if GRAZE_HAS_SHORT_INTEGERS
-  if (terms.are_bounded && !is_hidden(ray, triangle)) {
+  if (!is_hidden(ray, triangle)) {
     const Meeting met = meeting(ray, triangle);
     if (met == Meeting::none) return false;
     if (met != Meeting::unknown) {
       if (numeric::is_default_range(ray)) return met == Meeting::ahead;
       // The filter's words on the range stand where it knows the determinant's sign.
+      const TriangleTerms<double> terms = triangle_terms<double>(ray, triangle);
       const RangeTest range = test_range(terms, ray);
-      if (terms.whole > terms.error && (range.inside || range.outside)) return range.inside;
+      if (terms.are_bounded && terms.whole > terms.error && (range.inside || range.outside)) return range.inside;
     }
   }
-#else
-  (void)terms;
 #endif
   return exact::hits(ray, triangle);
 }
 
-template bool hits_in_doubt(const Ray<float>&, const Triangle<float>&, const TriangleTerms<double>&) noexcept;
-template bool hits_in_doubt(const Ray<double>&, const Triangle<double>&, const TriangleTerms<double>&) noexcept;
+template bool hits_in_doubt(const Ray<float>&, const Triangle<float>&) noexcept;
+template bool hits_in_doubt(const Ray<double>&, const Triangle<double>&) noexcept;
 
 bool hits_in_double(const Ray<float>& ray, const Triangle<float>& triangle) noexcept {
   const TriangleTerms<double> terms = triangle_terms<double>(ray, triangle);
   const TriangleVerdict answer = verdict(terms, ray);
-  return answer == TriangleVerdict::uncertain ? hits_in_doubt(ray, triangle, terms) : answer == TriangleVerdict::face;
+  return answer == TriangleVerdict::uncertain ? hits_in_doubt(ray, triangle) : answer == TriangleVerdict::face;
 }
 
 }  // namespace graze::predicates
