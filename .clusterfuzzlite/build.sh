@@ -15,5 +15,8 @@ cmake --build "$WORK/graze" --parallel "$(nproc)" --target $(printf 'fuzz_%s ' $
 for target in $targets; do
   cp "$WORK/graze/bin/fuzz_$target" "$OUT/"
   zip -q -j "$OUT/fuzz_${target}_seed_corpus.zip" "$SRC/graze/fuzz/corpus/$target/"*
-  if [ -f "$SRC/graze/fuzz/targets/$target.dict" ]; then cp "$SRC/graze/fuzz/targets/$target.dict" "$OUT/fuzz_$target.dict"; fi
+  dictionary=$SRC/graze/fuzz/targets/$target.dict
+  # One for all whose bytes are cases.
+  if [ ! -f "$dictionary" ]; then dictionary=$SRC/graze/fuzz/targets/cases.dict; fi
+  cp "$dictionary" "$OUT/fuzz_$target.dict"
 done
