@@ -46,7 +46,7 @@ int answer_lines(const fuzz::Subject& kernel, fuzz::Details details, LineSource&
 
 int run(const Options& options) {
   const Kernel kernel = open_kernel(options.kernel);
-  if (!kernel.wrong.empty()) return refuse("graze: " + kernel.wrong);
+  if (!kernel.wrong.empty()) return refuse_by_name(kernel.wrong);
   LineSource lines(options.file);
   if (!lines.error().empty()) return refuse(lines.error());
   const auto details = fuzz::Details(options.details);

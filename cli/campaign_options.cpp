@@ -16,11 +16,10 @@ void add_options(CLI::App& command, CampaignOptions& options) {
 }
 
 std::string fill(fuzz::Campaign& campaign, const CampaignOptions& options) {
+  campaign = fuzz::default_campaign();
   campaign.seed = options.seed;
   campaign.cases = options.cases;
-  for (const fuzz::Family& family : fuzz::families()) {
-    if (options.families.empty()) campaign.families.push_back(&family);
-  }
+  if (!options.families.empty()) campaign.families.clear();
   for (const std::string& name : options.families) {
     const fuzz::Family* family = fuzz::find_family(name);
     if (family == nullptr) {
@@ -30,6 +29,8 @@ std::string fill(fuzz::Campaign& campaign, const CampaignOptions& options) {
     }
     campaign.families.push_back(family);
   }
+  // Families chosen by name alone run alone.
+  if (!options.meshes.empty() || !options.families.empty()) campaign.meshes.clear();
   for (const std::string& file : options.meshes) {
     auto mesh = fuzz::read_mesh(file);
     if (const auto* error = std::get_if<fuzz::MeshError>(&mesh)) return error->what;
@@ -40,8 +41,6 @@ std::string fill(fuzz::Campaign& campaign, const CampaignOptions& options) {
              std::to_string(open.front().to) + " has no reverse (" + std::to_string(open.size()) + " such edges)";
     }
   }
-  // Families chosen by name alone run alone.
-  if (options.meshes.empty() && options.families.empty()) campaign.meshes = {fuzz::icosphere(4), fuzz::wavy_sphere(4)};
   return {};
 }
 

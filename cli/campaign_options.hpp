@@ -13,7 +13,7 @@ namespace graze::cli {
 struct CampaignOptions {
   std::uint64_t cases = 10000;
   std::uint64_t seed = 1;
-  std::uint64_t second_oracle_every = 16;
+  std::uint64_t second_oracle_every = fuzz::default_second_oracle_every;
   std::vector<std::string> families, meshes;
 };
 

@@ -43,11 +43,6 @@ void interrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-int refuse(const std::string& message) {
-  std::cerr << "graze: " << message << '\n';
-  return exit_bad_input;
-}
-
 /// Takes over what the file holds, if there is one.
 std::string resume(const std::string& file, fuzz::Report& report) {
   if (!std::filesystem::exists(file)) return {};
@@ -132,12 +127,12 @@ int certify(const Setting& setting, const fuzz::Plan& plan, const Options& optio
   const fuzz::Judges judges = setting.judges(0);
   fuzz::Report report = fuzz::blank_report(setting.campaign, plan, judges, shard);
   if (options.resume) {
-    if (const std::string wrong = resume(options.outputs.json, report); !wrong.empty()) return refuse(wrong);
+    if (const std::string wrong = resume(options.outputs.json, report); !wrong.empty()) return refuse_by_name(wrong);
   }
-  if (const std::string wrong = write_outputs(options.outputs, report); !wrong.empty()) return refuse(wrong);
+  if (const std::string wrong = write_outputs(options.outputs, report); !wrong.empty()) return refuse_by_name(wrong);
   judge(plan, judges, shard, report, options.outputs.json);
   print(report, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), std::cout);
-  if (const std::string wrong = write_outputs(options.outputs, report); !wrong.empty()) return refuse(wrong);
+  if (const std::string wrong = write_outputs(options.outputs, report); !wrong.empty()) return refuse_by_name(wrong);
   return exit_status(report);
 }
 
@@ -149,7 +144,7 @@ int compare(const Setting& setting, const fuzz::Plan& plan, const std::string& h
   for (std::size_t i = 0; i < setting.kernels.size(); ++i) {
     reports.push_back(fuzz::blank_report(setting.campaign, plan, setting.judges(i), {}));
   }
-  if (const std::string wrong = write(); !wrong.empty()) return refuse(wrong);
+  if (const std::string wrong = write(); !wrong.empty()) return refuse_by_name(wrong);
   for (std::size_t i = 0; i < reports.size(); ++i) {
     judge(plan, setting.judges(i), {}, reports[i], {});
     // Wrong outweighs interrupted.
@@ -157,7 +152,7 @@ int compare(const Setting& setting, const fuzz::Plan& plan, const std::string& h
     if (status != exit_found_wrong && one != exit_well) status = one;
   }
   print_side_by_side(reports, std::cout);
-  if (const std::string wrong = write(); !wrong.empty()) return refuse(wrong);
+  if (const std::string wrong = write(); !wrong.empty()) return refuse_by_name(wrong);
   return status;
 }
 
@@ -171,18 +166,18 @@ int run(const Options& options) {
   }
   if (names.empty()) names.push_back(options.kernel.name);
   const auto modes = parse_modes(options.modes);
-  if (const auto* wrong = std::get_if<std::string>(&modes)) return refuse(*wrong);
+  if (const auto* wrong = std::get_if<std::string>(&modes)) return refuse_by_name(*wrong);
   for (const std::string& name : names) {
     KernelOptions one = options.kernel;
     one.name = name;
     const std::string wrong = open(one, std::get<std::vector<fuzz::FloatMode>>(modes), !options.compared.empty(), setting);
-    if (!wrong.empty()) return refuse(wrong);
+    if (!wrong.empty()) return refuse_by_name(wrong);
   }
   const auto shard = options.shard.empty() ? fuzz::Shard() : fuzz::parse_shard(options.shard);
-  if (!shard) return refuse("--shard " + options.shard + ": is no shard; 1/4 to 4/4 are the four of four");
+  if (!shard) return refuse_by_name("--shard " + options.shard + ": is no shard; 1/4 to 4/4 are the four of four");
   if (options.resume && options.outputs.json.empty())
-    return refuse("--resume goes on from the file of --json, which is not given");
-  if (const std::string wrong = fill(setting.campaign, options.campaign); !wrong.empty()) return refuse(wrong);
+    return refuse_by_name("--resume goes on from the file of --json, which is not given");
+  if (const std::string wrong = fill(setting.campaign, options.campaign); !wrong.empty()) return refuse_by_name(wrong);
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   const fuzz::Plan plan(setting.campaign);

@@ -20,11 +20,6 @@ struct Options {
   Outputs outputs;
 };
 
-int refuse(const std::string& message) {
-  std::cerr << "graze: " << message << '\n';
-  return exit_bad_input;
-}
-
 /// Which two files do not fit, and where. `reports` are those before the last file, which does not fit their sum.
 std::string misfit(const std::vector<std::string>& files, const std::vector<fuzz::Report>& reports, const std::string& wrong) {
   for (std::size_t i = 0; i + 1 < reports.size(); ++i) {
@@ -40,17 +35,17 @@ int run(const Options& options) {
   fuzz::Report sum;
   for (const std::string& file : options.files) {
     auto read = read_report(file);
-    if (const auto* wrong = std::get_if<std::string>(&read)) return refuse(*wrong);
+    if (const auto* wrong = std::get_if<std::string>(&read)) return refuse_by_name(*wrong);
     reports.push_back(std::get<fuzz::Report>(std::move(read)));
     if (reports.size() == 1) sum = reports.front();
     if (const std::string wrong = merge(sum, reports.back()); !wrong.empty())
-      return refuse(misfit(options.files, reports, wrong));
+      return refuse_by_name(misfit(options.files, reports, wrong));
   }
   if (const std::string gap = missing(sum); !options.partial && !gap.empty()) {
-    return refuse("missing: " + gap + "; --partial merges what there is");
+    return refuse_by_name("missing: " + gap + "; --partial merges what there is");
   }
   print(sum, std::nullopt, std::cout);
-  if (const std::string wrong = write_outputs(options.outputs, sum); !wrong.empty()) return refuse(wrong);
+  if (const std::string wrong = write_outputs(options.outputs, sum); !wrong.empty()) return refuse_by_name(wrong);
   return exit_status(sum);
 }
 

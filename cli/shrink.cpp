@@ -89,7 +89,7 @@ int run(const Options& options) {
         "graze: --test writes tests that run in the default floating-point mode, so it goes with no other --float-mode");
   }
   const Kernel kernel = open_kernel(options.kernel);
-  if (!kernel.wrong.empty()) return refuse("graze: " + kernel.wrong);
+  if (!kernel.wrong.empty()) return refuse_by_name(kernel.wrong);
   return options.precision == "float" ? run<float>(*kernel.subject, options) : run<double>(*kernel.subject, options);
 }
 

@@ -53,6 +53,13 @@ void Plan::plan_mesh(const Mesh& mesh, std::uint64_t seed) {
   }
 }
 
+Campaign default_campaign() {
+  Campaign campaign;
+  for (const Family& family : families()) campaign.families.push_back(&family);
+  campaign.meshes = {icosphere(4), wavy_sphere(4)};
+  return campaign;
+}
+
 Plan::Plan(const Campaign& campaign) {
   for (const Family* family : campaign.families) {
     plan_family<float>(*family, campaign);

@@ -17,12 +17,18 @@
 
 namespace graze::fuzz {
 
+/// CGAL confirms every so-many-th case, unless said otherwise.
+inline constexpr std::uint64_t default_second_oracle_every = 16;
+
 struct Campaign {
   std::uint64_t seed = 1;
   std::uint64_t cases = 10000;  ///< per family and precision
   std::vector<const Family*> families;
   std::vector<Mesh> meshes;  ///< closed
 };
+
+/// All families, and rays at two meshes that are made.
+[[nodiscard]] Campaign default_campaign();
 
 /// The rows of a campaign and how to judge each of their cases. Refers to the families.
 class Plan {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "fuzz/certify/input_hash.hpp"
 #include "fuzz/random.hpp"
@@ -197,14 +198,29 @@ bool tells_hit(const Reply<T>& reply) {
   return reply && is_hit(*reply);
 }
 
-/// Whether the subject finds a hit anywhere in the mesh.
+/// The triangle from `first` on, of `count`, that the subject finds hit.
 template <Real T>
-bool meets_any(const MeshRays<T>& rays, const Ray<T>& ray, const Subject& subject) {
-  std::vector<Case<T>> all;
-  for (std::size_t f = 0; f < rays.size(); ++f) all.push_back(RayTriangle<T>{ray, rays.triangle(f)});
-  std::vector<Reply<T>> found(all.size());
-  subject.answer(std::span<const Case<T>>(all), std::span(found));
-  return std::any_of(found.begin(), found.end(), [](const Reply<T>& reply) { return tells_hit(reply); });
+std::optional<std::size_t> find_hit(const MeshRays<T>& rays, const Ray<T>& ray, const Subject& subject, std::size_t first,
+                                    std::size_t count) {
+  std::vector<Case<T>> inputs;
+  for (std::size_t f = first; f < first + count; ++f) inputs.push_back(RayTriangle<T>{ray, rays.triangle(f)});
+  std::vector<Reply<T>> found(count);
+  subject.answer(std::span<const Case<T>>(inputs), std::span(found));
+  const auto hit = std::find_if(found.begin(), found.end(), [](const Reply<T>& reply) { return tells_hit(reply); });
+  if (hit == found.end()) return std::nullopt;
+  return first + static_cast<std::size_t>(hit - found.begin());
+}
+
+/// Whether the subject finds a hit anywhere in the mesh. `likely` is asked first: another mode's hit; and is set to this one's.
+template <Real T>
+bool meets_any(const MeshRays<T>& rays, const Ray<T>& ray, const Subject& subject, std::optional<std::size_t>& likely) {
+  constexpr std::size_t at_once = 4096;
+  if (likely && find_hit(rays, ray, subject, *likely, 1)) return true;
+  for (std::size_t first = 0; first < rays.size(); first += at_once) {
+    likely = find_hit(rays, ray, subject, first, std::min(at_once, rays.size() - first));
+    if (likely) return true;
+  }
+  return false;
 }
 
 /// Judges the ray by the replies for the triangles around its target: those from `first` on.
@@ -222,12 +238,13 @@ void judge_mesh_ray(const MeshRays<T>& rays, Target target, std::size_t index, c
   for (std::size_t i = first; i < first + count; ++i) {
     truth_hits |= is_hit(check(judges, inputs[i], replies, i, index, part.tally));
   }
+  std::optional<std::size_t> likely;
   for (std::size_t m = 0; m < replies.size(); ++m) {
     ++part.rays;
     const auto from = replies[m].begin() + static_cast<std::ptrdiff_t>(first);
     if (std::any_of(from, from + static_cast<std::ptrdiff_t>(count), [](const auto& reply) { return tells_hit(reply); }))
       continue;
-    if (truth_hits || !meets_any(rays, rays.ray(target, index), *judges.subjects[m])) ++part.lost_rays;
+    if (truth_hits || !meets_any(rays, rays.ray(target, index), *judges.subjects[m], likely)) ++part.lost_rays;
   }
 }
 

@@ -1,7 +1,7 @@
 // Batches against the single query, lane by lane. A disagreement is printed, and ends the program.
 //
 // The bytes: the first tells the form, the floating-point mode and, by its highest bit, spheres or triangles; the second the
-// arrays' offset and how often the lanes are repeated; the third how many bytes a case has. The rest are cases
+// arrays' offset and how often the lanes are repeated; the third how many bytes a case has, less 4. The rest are cases
 // (fuzz/case_bytes.hpp); those of another precision than the first's are left out.
 #include <algorithm>
 #include <cstdint>
@@ -33,7 +33,7 @@ template <Real T, template <class> class Query, template <class> class Shape>
 void check(QueryGroup group, const Header& header, std::span<const std::uint8_t> bytes) {
   constexpr std::size_t most_lanes = 300;
   Batch<T, Shape> cases;
-  const std::size_t length = 4 + header.third % 96;
+  const std::size_t length = 4 + header.third;
   for (std::size_t at = 0; at < bytes.size() && cases.rays.size() < most_lanes; at += length) {
     const AnyCase decoded = decode_case(group, bytes.subspan(at, std::min(length, bytes.size() - at)));
     const auto* input = std::get_if<Case<T>>(&decoded);

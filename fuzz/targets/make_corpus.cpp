@@ -1,5 +1,7 @@
 // Writes seeds of a target of cases: the first cases of each family in both precisions, each a file named by its hash.
-//   make_corpus sphere|triangle|implicit FOLDER [CASES]     eight a family and precision unless said otherwise
+//   make_corpus sphere|triangle|implicit|batch FOLDER [CASES]     eight a family and precision unless said otherwise
+// Those of batch are batches of that many cases.
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -34,22 +36,56 @@ std::optional<QueryGroup> group_named(std::string_view target) {
   return std::nullopt;
 }
 
-/// Writes the case where it is of the group.
-template <Real T>
-bool write(QueryGroup group, const Family& family, std::uint64_t index, const std::filesystem::path& folder) {
-  const Case<T> input = make<T>(family, seed, index).input;
-  if (group_of(input.index()) != group) return true;
-  const std::vector<std::uint8_t> bytes = encode_case(input);
+using Bytes = std::vector<std::uint8_t>;
+
+bool write(const Bytes& bytes, const std::filesystem::path& folder) {
   std::ofstream file(folder / hash_of(bytes), std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   return file.good();
 }
 
-bool write_corpus(QueryGroup group, const std::filesystem::path& folder, std::uint64_t cases) {
-  std::filesystem::create_directories(folder);
+/// The first cases of the family, those that are of the group.
+template <Real T>
+std::vector<Bytes> encoded(QueryGroup group, const Family& family, std::uint64_t cases) {
+  std::vector<Bytes> all;
+  for (std::uint64_t index = 0; index < cases; ++index) {
+    const Case<T> input = make<T>(family, seed, index).input;
+    if (group_of(input.index()) == group) all.push_back(encode_case(input));
+  }
+  return all;
+}
+
+/// The cases as one batch, by targets/batch.cpp. `number` chooses form, floating-point mode and offset.
+Bytes batch_of(QueryGroup group, const std::vector<Bytes>& cases, std::uint8_t number) {
+  constexpr std::uint8_t sphere_bit = 0x80, forms_and_modes = 15, least = 4;
+  std::size_t longest = least;
+  for (const Bytes& one : cases) longest = std::max(longest, one.size());
+  Bytes batch{static_cast<std::uint8_t>((group == QueryGroup::ray_sphere ? sphere_bit : 0) | number % forms_and_modes), number,
+              static_cast<std::uint8_t>(longest - least)};
+  for (const Bytes& one : cases) {
+    batch.insert(batch.end(), one.begin(), one.end());
+    batch.resize(batch.size() + longest - one.size());
+  }
+  return batch;
+}
+
+template <Real T>
+bool write_cases(QueryGroup group, const std::filesystem::path& folder, std::uint64_t cases) {
   for (const Family& family : families()) {
-    for (std::uint64_t index = 0; index < cases; ++index) {
-      if (!write<float>(group, family, index, folder) || !write<double>(group, family, index, folder)) return false;
+    for (const Bytes& one : encoded<T>(group, family, cases)) {
+      if (!write(one, folder)) return false;
+    }
+  }
+  return true;
+}
+
+template <Real T>
+bool write_batches(const std::filesystem::path& folder, std::uint64_t cases) {
+  std::uint8_t number = sizeof(T);
+  for (const Family& family : families()) {
+    for (const QueryGroup group : {QueryGroup::ray_sphere, QueryGroup::ray_triangle}) {
+      const std::vector<Bytes> all = encoded<T>(group, family, cases);
+      if (!all.empty() && !write(batch_of(group, all, number++), folder)) return false;
     }
   }
   return true;
@@ -61,14 +97,21 @@ bool write_corpus(QueryGroup group, const std::filesystem::path& folder, std::ui
 int main(int argc, char** argv) {
   // Families turn from shape to shape every fourth case.
   std::uint64_t cases = 8;
-  const auto group = argc > 1 ? graze::fuzz::group_named(argv[1]) : std::nullopt;
+  using namespace graze::fuzz;
+  const std::string_view target = argc > 1 ? argv[1] : "";
+  const auto group = group_named(target);
   const bool is_understood =
-      group && (argc == 3 || (argc == 4 && std::from_chars(argv[3], argv[3] + std::strlen(argv[3]), cases).ec == std::errc{}));
+      (group || target == "batch") &&
+      (argc == 3 || (argc == 4 && std::from_chars(argv[3], argv[3] + std::strlen(argv[3]), cases).ec == std::errc{}));
   if (!is_understood) {
-    std::fprintf(stderr, "usage: %s sphere|triangle|implicit FOLDER [CASES]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s sphere|triangle|implicit|batch FOLDER [CASES]\n", argv[0]);
     return 2;
   }
-  if (!graze::fuzz::write_corpus(*group, argv[2], cases)) {
+  const std::filesystem::path folder = argv[2];
+  std::filesystem::create_directories(folder);
+  const bool is_written = group ? write_cases<float>(*group, folder, cases) && write_cases<double>(*group, folder, cases)
+                                : write_batches<float>(folder, cases) && write_batches<double>(folder, cases);
+  if (!is_written) {
     std::fprintf(stderr, "%s: cannot be written\n", argv[2]);
     return 2;
   }

@@ -1,13 +1,11 @@
 // Runs a kernel, mutated or not, over all families in both precisions and all floating-point modes, until it is caught.
-//   mutant_NAME [--sound] [--fma] [--one-mode] [CASES]
-// CASES a family and precision, 10000 unless said otherwise; --fma: the kernel was compiled with FMA; --one-mode: only in the
-// default mode, as graze certify runs, and until the first disagreement. Exit status: 0 the mutant was caught (--sound: nothing
-// was), 1 not so, 2 usage error, 77 this processor cannot run it.
+//   mutant_NAME [--sound] [--fma] [CASES]
+// CASES a family and precision, 10000 unless said otherwise; --fma: the kernel was compiled with FMA. Exit status: 0 the mutant
+// was caught (--sound: nothing was), 1 not so, 2 usage error, 77 this processor cannot run it.
 #include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,12 +19,7 @@ namespace graze::fuzz {
 namespace {
 
 constexpr std::uint64_t seed = 1;
-
-struct Plan {
-  std::span<const FloatMode> modes = float_modes;
-  int enough = 3;  ///< disagreements
-  std::uint64_t cases = 10000;
-};
+constexpr int enough = 3;  // disagreements
 
 struct Hunt {
   std::uint64_t cases = 0;
@@ -42,11 +35,11 @@ void report(const Family& family, std::uint64_t index, const Case<T>& input, Flo
 }
 
 template <Real T>
-void try_case(const Family& family, std::uint64_t index, const Plan& plan, Hunt& hunt) {
+void try_case(const Family& family, std::uint64_t index, Hunt& hunt) {
   const Case<T> input = make<T>(family, seed, index).input;
   const Answer<T> truth = answer_of(oracle::gmp_oracle(), input);
   ++hunt.cases;
-  for (const FloatMode mode : plan.modes) {
+  for (const FloatMode mode : float_modes) {
     const auto fault = find_fault(input, truth, mode);
     if (!fault) continue;
     report(family, index, input, mode, *fault);
@@ -56,13 +49,13 @@ void try_case(const Family& family, std::uint64_t index, const Plan& plan, Hunt&
 }
 
 /// Case by case through all families at once: what a family finds soon is found soon.
-Hunt hunt(const Plan& plan) {
+Hunt hunt(std::uint64_t cases) {
   Hunt hunt;
-  for (std::uint64_t index = 0; index < plan.cases; ++index) {
+  for (std::uint64_t index = 0; index < cases; ++index) {
     for (const Family& family : families()) {
-      try_case<float>(family, index, plan, hunt);
-      try_case<double>(family, index, plan, hunt);
-      if (hunt.found >= plan.enough) return hunt;
+      try_case<float>(family, index, hunt);
+      try_case<double>(family, index, hunt);
+      if (hunt.found >= enough) return hunt;
     }
   }
   return hunt;
@@ -76,9 +69,9 @@ bool has_fma() {
 #endif
 }
 
-int run(bool is_sound, const Plan& plan) {
+int run(bool is_sound, std::uint64_t cases) {
   const auto start = std::chrono::steady_clock::now();
-  const Hunt result = hunt(plan);
+  const Hunt result = hunt(cases);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   std::printf("%s after %llu cases, %.2f s\n", result.found > 0 ? "caught" : "nothing was found",
               static_cast<unsigned long long>(result.cases), seconds.count());
@@ -90,21 +83,18 @@ int run(bool is_sound, const Plan& plan) {
 
 int main(int argc, char** argv) {
   bool is_sound = false;
-  graze::fuzz::Plan plan;
+  std::uint64_t cases = 10000;
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     if (argument == "--sound") {
       is_sound = true;
     } else if (argument == "--fma") {
       if (!graze::fuzz::has_fma()) return 77;
-    } else if (argument == "--one-mode") {
-      plan.modes = plan.modes.first(1);
-      plan.enough = 1;
     } else if (const char* end = argument.data() + argument.size();
-               std::from_chars(argument.data(), end, plan.cases).ptr != end || plan.cases == 0) {
-      std::fprintf(stderr, "usage: %s [--sound] [--fma] [--one-mode] [CASES]\n", argv[0]);
+               std::from_chars(argument.data(), end, cases).ptr != end || cases == 0) {
+      std::fprintf(stderr, "usage: %s [--sound] [--fma] [CASES]\n", argv[0]);
       return 2;
     }
   }
-  return graze::fuzz::run(is_sound, plan);
+  return graze::fuzz::run(is_sound, cases);
 }

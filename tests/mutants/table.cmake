@@ -208,6 +208,13 @@ graze_mutant(
   REPLACE [[operator()<17>()]])
 
 graze_mutant(
+  shift_cut_off
+  MODELS "a shift cut off at 1,000 bits: wrong only where exponents span more"
+  FILE src/numeric/integer.hpp
+  FIND [[const int shift = d.exponent - unit;]]
+  REPLACE [[const int shift = std::min(d.exponent - unit, 1000);]])
+
+graze_mutant(
   edge_of_one_winding
   MODELS "a shared edge left to the triangle of the other winding, as rasterizers do"
   FILE src/exact/triangle.cpp
