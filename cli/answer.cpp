@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "cli/exit_status.hpp"
 #include "cli/kernels.hpp"
 #include "cli/line_source.hpp"
-#include "cli/refuse.hpp"
 #include "fuzz/case_text.hpp"
 #include "fuzz/subject.hpp"
 

@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "cli/camera.hpp"
+#include "cli/exit_status.hpp"
 #include "cli/kernels.hpp"
 #include "cli/picture.hpp"
 #include "cli/primitives.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/refuse.hpp"
 #include "cli/report_file.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/second_kernel.hpp"
@@ -180,8 +180,8 @@ class Renderer {
       }
     }
     const std::string png = picture_.png(options_.zoom);
-    if (png.empty()) return refuse("graze: the picture cannot be made as a PNG; a smaller --size or --zoom may do");
-    if (const std::string wrong = write_file(options_.output, png); !wrong.empty()) return refuse("graze: " + wrong);
+    if (png.empty()) return refuse_by_name("the picture cannot be made as a PNG; a smaller --size or --zoom may do");
+    if (const std::string wrong = write_file(options_.output, png); !wrong.empty()) return refuse_by_name(wrong);
     std::cout << "pixels: " << picture_.width() << " x " << picture_.height() << '\n';
     if (kernel_ == nullptr) {
       print(kind_legend, pixels_);
@@ -258,22 +258,22 @@ int render(const Options& options, const fuzz::Subject* kernel) {
   if (const std::string wrong = view_scene(options.files, parts, scene); !wrong.empty()) return refuse(wrong);
   if (scene.size() == 0) return refuse(options.files.front() + ": has no triangle and no sphere to be seen");
   const auto camera = Camera::of<T>(scene.bounds(), {options.from[0], options.from[1], options.from[2]}, options.size);
-  if (!camera) return refuse("graze: the scene is too large for a camera beside it in " + options.precision);
+  if (!camera) return refuse_by_name("the scene is too large for a camera beside it in " + options.precision);
   return Renderer<T>(options, kernel, scene, parts, *camera).run();
 }
 
 int run(const Options& options) {
   const Vec3<double> from{options.from[0], options.from[1], options.from[2]};
   if (!std::isfinite(dot(from, from)) || !(dot(from, from) > 0)) {
-    return refuse("graze: --from takes a direction: three finite numbers, not all zero");
+    return refuse_by_name("--from takes a direction: three finite numbers, not all zero");
   }
   if (options.size * options.zoom > largest_picture) {
-    return refuse("graze: --size times --zoom is more than " + std::to_string(largest_picture) + " pixels a side");
+    return refuse_by_name("--size times --zoom is more than " + std::to_string(largest_picture) + " pixels a side");
   }
   Kernel kernel;
   if (!options.kernel.name.empty()) {
     kernel = open_kernel(options.kernel);
-    if (!kernel.wrong.empty()) return refuse("graze: " + kernel.wrong);
+    if (!kernel.wrong.empty()) return refuse_by_name(kernel.wrong);
   }
   return options.precision == "float" ? render<float>(options, kernel.subject) : render<double>(options, kernel.subject);
 }
