@@ -220,3 +220,31 @@ graze_mutant(
   FILE src/numeric/rounding.hpp
   FIND [[(side == 0 && (kept & 1) != 0)]]
   REPLACE [[side == 0]])
+
+graze_mutant(
+  lattice_of_positions_alone
+  MODELS "a triangle's determinants from a direction that is cut to whole steps"
+  FILE src/predicates/triangle_in_doubt.cpp
+  FIND [[if (!directions.holds_all()) return Meeting::unknown;]]
+  REPLACE [[]])
+
+graze_mutant(
+  lattice_without_a_corner
+  MODELS "a triangle's determinants from a corner that is cut to whole steps"
+  FILE src/predicates/triangle_in_doubt.cpp
+  FIND [[, positions.include(c);]]
+  REPLACE [[;]])
+
+graze_mutant(
+  lattice_without_the_center
+  MODELS "a discriminant from a center that is cut to whole steps"
+  FILE src/predicates/sphere_in_doubt.cpp
+  FIND [[positions.include(c), ]]
+  REPLACE [[]])
+
+graze_mutant(
+  lattice_too_fine
+  MODELS "words too short for a lattice of 2^4 times as many steps"
+  FILE src/numeric/lattice.hpp
+  FIND [[0x1p23]]
+  REPLACE [[0x1p19]])

@@ -16,6 +16,7 @@
 #include "graze/predicates/sphere_filter.hpp"
 #include "graze/predicates/triangle_filter.hpp"
 #include "numeric/approximation.hpp"
+#include "numeric/lattice.hpp"
 #include "rounding/error_bounds.hpp"
 
 namespace {
@@ -56,6 +57,7 @@ const std::map<std::string, double> kernel_constants{
     {"double_steps", rounding::double_steps},
     {"pair_c_error", rounding::pair_c_error},
     {"pair_discriminant_error", rounding::pair_discriminant_error},
+    {"lattice_fineness", numeric::lattice_fineness},
     {"approximation_slack", static_cast<double>(numeric::Approximation::slack)},
 };
 

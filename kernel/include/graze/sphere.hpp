@@ -27,7 +27,11 @@ template <Real T>
 }  // namespace exact
 
 namespace predicates {
-/// `hits` where the filter in float is in doubt: the filter in double, then `exact`. Compiled in the library.
+/// `hits` where the filter in double is in doubt: by short integers where these hold the input, else by `exact`. Compiled in
+/// the library.
+template <Real T>
+[[nodiscard]] bool hits_in_doubt(const Ray<T>& ray, const Sphere<T>& sphere) noexcept;
+/// `hits` where the filter in float is in doubt: the filter in double, then the former. Compiled in the library.
 [[nodiscard]] bool hits_in_double(const Ray<float>& ray, const Sphere<float>& sphere) noexcept;
 }  // namespace predicates
 
@@ -53,8 +57,11 @@ template <Real T>
   predicates::SphereTerms<T> terms = predicates::sphere_terms<T>(ray, sphere);
   const predicates::SphereVerdict verdict = predicates::verdict(terms, ray, sphere);
   if (verdict.kind != SphereKind::invalid) return verdict.kind == SphereKind::secant;
-  if constexpr (sizeof(T) < sizeof(double)) return predicates::hits_in_double(ray, sphere);
-  return exact::hits(ray, sphere);
+  if constexpr (sizeof(T) < sizeof(double)) {
+    return predicates::hits_in_double(ray, sphere);
+  } else {
+    return predicates::hits_in_doubt(ray, sphere);
+  }
 }
 
 }  // namespace graze

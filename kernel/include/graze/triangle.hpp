@@ -27,7 +27,11 @@ template <Real T>
 }  // namespace exact
 
 namespace predicates {
-/// `hits` where the filter in float is in doubt: the filter in double, then `exact`. Compiled in the library.
+/// `hits` where the filter in double is in doubt: by short integers where these hold the input, else by `exact`. Compiled in
+/// the library.
+template <Real T>
+[[nodiscard]] bool hits_in_doubt(const Ray<T>& ray, const Triangle<T>& triangle) noexcept;
+/// `hits` where the filter in float is in doubt: the filter in double, then the former. Compiled in the library.
 [[nodiscard]] bool hits_in_double(const Ray<float>& ray, const Triangle<float>& triangle) noexcept;
 }  // namespace predicates
 
@@ -54,8 +58,11 @@ template <Real T>
   using predicates::TriangleVerdict;
   const TriangleVerdict verdict = predicates::verdict(predicates::triangle_terms<T>(ray, triangle), ray);
   if (verdict != TriangleVerdict::uncertain) return verdict == TriangleVerdict::face;
-  if constexpr (sizeof(T) < sizeof(double)) return predicates::hits_in_double(ray, triangle);
-  return exact::hits(ray, triangle);
+  if constexpr (sizeof(T) < sizeof(double)) {
+    return predicates::hits_in_double(ray, triangle);
+  } else {
+    return predicates::hits_in_doubt(ray, triangle);
+  }
 }
 
 }  // namespace graze

@@ -75,6 +75,21 @@ template <class W>
   return {f > error, f < -error};
 }
 
+/// Whether t lies inside the range, or outside. Of a range whose bounds are not ordinary nothing is told.
+struct RangeTest {
+  bool inside, outside;
+};
+
+template <class W, Real T>
+[[nodiscard]] inline RangeTest test_range(const TriangleTerms<W>& terms, const Ray<T>& ray) noexcept {
+  if (numeric::is_default_range(ray)) return {terms.distance > terms.distance_error, terms.distance < -terms.distance_error};
+  if (!numeric::is_ordinary_range<W>(ray)) return {false, false};
+  const BoundTest from = test_bound(static_cast<W>(ray.t_min), terms);
+  if (!numeric::is_finite(ray.t_max)) return {from.above, from.below};
+  const BoundTest to = test_bound(static_cast<W>(ray.t_max), terms);
+  return {from.above && to.below, from.below || to.above};
+}
+
 template <class W, Real T>
 [[nodiscard]] inline TriangleVerdict verdict(const TriangleTerms<W>& terms, const Ray<T>& ray) noexcept {
   const W least = numeric::min(numeric::min(terms.u, terms.v), terms.w);
@@ -82,17 +97,9 @@ template <class W, Real T>
   // One branch: a random ray's signs, tested one by one, are mispredicted, which costs more than they save.
   if (least < -terms.error) return TriangleVerdict::miss;
 
-  BoundTest from{terms.distance > terms.distance_error, terms.distance < -terms.distance_error};
-  if (!numeric::is_default_range(ray)) {
-    if (!numeric::is_ordinary_range<W>(ray)) return TriangleVerdict::uncertain;
-    from = test_bound(static_cast<W>(ray.t_min), terms);
-    if (numeric::is_finite(ray.t_max)) {
-      const BoundTest to = test_bound(static_cast<W>(ray.t_max), terms);
-      from = {from.above && to.below, from.below || to.above};
-    }
-  }
-  if (from.below) return TriangleVerdict::miss;
-  return ((least > terms.error) & from.above) ? TriangleVerdict::face : TriangleVerdict::uncertain;
+  const RangeTest range = test_range(terms, ray);
+  if (range.outside) return TriangleVerdict::miss;
+  return ((least > terms.error) & range.inside) ? TriangleVerdict::face : TriangleVerdict::uncertain;
 }
 
 }  // namespace graze::predicates
