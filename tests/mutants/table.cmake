@@ -182,14 +182,14 @@ graze_mutant(
 graze_mutant(
   face_error_forgotten
   MODELS "t, u and v of a face in double-double taken for exact"
-  FILE src/rounding/face.cpp
+  FILE src/rounding/quotients.hpp
   FIND [[terms, relative, pair_quotient_error]]
   REPLACE [[terms, 0 * relative, 0]])
 
 graze_mutant(
   face_error_too_small
   MODELS "the bound of a face's numbers too small by 2^16"
-  FILE src/rounding/face.cpp
+  FILE src/rounding/quotients.hpp
   FIND [[terms, relative, pair_quotient_error]]
   REPLACE [[terms, 0x1p-16 * relative, 0x1p-16 * pair_quotient_error]])
 

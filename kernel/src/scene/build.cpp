@@ -62,7 +62,7 @@ struct Binning {
 
 class Builder {
  public:
-  Builder(std::vector<Reference>& references, Threads threads) : references_(references), threads_(threads) {}
+  Builder(Pages<Reference>& references, Threads threads) : references_(references), threads_(threads) {}
 
   [[nodiscard]] std::unique_ptr<Draft> draft(const Range& range) const {
     auto out = std::make_unique<Draft>();
@@ -175,7 +175,7 @@ class Builder {
   /// What a part costs: a block is tested at once.
   [[nodiscard]] static float blocks(std::size_t size) noexcept { return static_cast<float>((size + width - 1) / width); }
 
-  std::vector<Reference>& references_;
+  Pages<Reference>& references_;
   Threads threads_;
 };
 
@@ -184,7 +184,7 @@ struct Sizes {
   std::size_t nodes = 0, triangles = 0, spheres = 0;
 };
 
-void count(const Draft& draft, const std::vector<Reference>& references, Sizes& sizes) noexcept {
+void count(const Draft& draft, const Pages<Reference>& references, Sizes& sizes) noexcept {
   ++sizes.nodes;
   for (int i = 0; i < draft.size; ++i) {
     if (draft.children[i] != nullptr) {
@@ -203,7 +203,7 @@ struct Leaf {
 
 /// Writes the nodes, depth first, and lists the leaves.
 template <Real T>
-std::uint32_t write(const Draft& draft, const std::vector<Reference>& references, Data<T>& data, Sizes& written,
+std::uint32_t write(const Draft& draft, const Pages<Reference>& references, Data<T>& data, Sizes& written,
                     std::vector<Leaf>& leaves) {
   const auto self = static_cast<std::uint32_t>(written.nodes++);
   for (int i = 0; i < width; ++i) data.nodes[self].set(i, Box::empty(), Child::nothing());
@@ -223,8 +223,8 @@ std::uint32_t write(const Draft& draft, const std::vector<Reference>& references
 }
 
 template <Real T>
-std::vector<Reference> references_of(const Data<T>& data, Threads threads) {
-  std::vector<Reference> out(data.size());
+Pages<Reference> references_of(const Data<T>& data, Threads threads) {
+  Pages<Reference> out(data.size());
   for (std::size_t p = 0; p < data.parts.size(); ++p) {
     const std::uint32_t first = data.first[p];
     for_ranges(size_of(data.parts[p]), 4096, threads, [&](std::size_t begin, std::size_t end) {
@@ -289,7 +289,7 @@ void build(Data<T>& data, Threads threads) {
   data.spheres.clear();
   data.root = Box::empty();
   if (data.size() == 0) return;
-  std::vector<Reference> references = references_of(data, threads);
+  Pages<Reference> references = references_of(data, threads);
   for (const Reference& r : references) include(data.root, r);
   std::unique_ptr<Draft> draft = Builder(references, threads).draft({0, references.size(), data.root, 0});
   Sizes sizes, written;

@@ -6,6 +6,7 @@
 
 #include "graze/scene.hpp"
 #include "scene/node.hpp"
+#include "scene/pages.hpp"
 
 namespace graze::scene {
 
@@ -29,9 +30,9 @@ struct Content {
 template <Real T>
 struct Data : Content<T> {
   Box root = Box::empty();
-  std::vector<Node> nodes;  ///< parents before their children, the root first; none in a scene of nothing
-  std::vector<TriangleBlock<T>> triangles;
-  std::vector<SphereBlock<T>> spheres;
+  Pages<Node> nodes;  ///< parents before their children, the root first; none in a scene of nothing
+  Pages<TriangleBlock<T>> triangles;
+  Pages<SphereBlock<T>> spheres;
   bool is_closed = false;
 };
 

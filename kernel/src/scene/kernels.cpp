@@ -12,7 +12,9 @@
 
 #include "exact/parity.hpp"
 #include "graze/implicit.hpp"
+#include "rounding/quotients.hpp"
 #include "scene/boxes-inl.hpp"
+#include "scene/face-inl.hpp"
 #include "scene/lanes.hpp"
 #include "scene/triangles-inl.hpp"
 #include "scene/walk-inl.hpp"
@@ -21,16 +23,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 
+/// The headers' own functions are compiled for the baseline: called from here, each would pay for the change of registers'
+/// width. Flattened they are compiled for the target.
+template <Real T>
+struct Rays {
+  RayLanes<T> lanes;
+  BoxRay box;
+};
+template <Real T>
+HWY_NOINLINE HWY_FLATTEN Rays<T> rays_of(const Space& space, const Box& root, const Ray<T>& ray) {
+  return {RayLanes<T>(ray), box_ray(space, root, ray)};
+}
+template <Real T>
+HWY_NOINLINE HWY_FLATTEN void end_rays_at(RayLanes<T>& lanes, BoxRay& box, double t) {
+  lanes.end_at(t);
+  box.end_at(t);
+}
+
 /// Visits leaves; Derived::hit(candidate) is told of each shape that the ray meets and the query takes, and returns true to end
 /// the walk. Its `end` is the parameter beyond which it does not care, where it has one.
 template <Real T, class Tally, class Derived>
 class HitVisitor {
  public:
   explicit HitVisitor(const Query<T, Tally>& query)
-      : query_(query),
-        ray_(query.ray),
-        box_(box_ray(query.data.space, query.data.root, query.ray)),
-        takes_all_(query.takes_all()) {}
+      : query_(query), rays_(rays_of(query.data.space, query.data.root, query.ray)), takes_all_(query.takes_all()) {}
 
   HWY_INLINE void run() { walk(query_, box_, *this); }
 
@@ -44,12 +60,12 @@ class HitVisitor {
   /// Hits beyond t do not matter any more.
   HWY_INLINE void end_at(double t) {
     end_ = t;
-    ray_.end_at(t);
-    box_.end_at(t);
+    end_rays_at(ray_, box_, t);
   }
 
-  RayLanes<T> ray_;
-  BoxRay box_;
+  Rays<T> rays_;
+  RayLanes<T>& ray_ = rays_.lanes;
+  BoxRay& box_ = rays_.box;
   double end_ = std::numeric_limits<double>::infinity();
   bool takes_all_;
 
@@ -82,7 +98,7 @@ class HitVisitor {
   }
 
   /// One that the lanes have not rejected, again in double, and then exactly. Not inlined: few come here.
-  HWY_NOINLINE bool triangle(const TriangleBlock<T>& block, std::uint32_t number, int i) {
+  HWY_NOINLINE HWY_FLATTEN bool triangle(const TriangleBlock<T>& block, std::uint32_t number, int i) {
     using predicates::TriangleVerdict;
     if (!query_.sees(block.index[i])) return false;
     const Triangle<T> triangle = block.triangle(i);
@@ -117,7 +133,7 @@ class HitVisitor {
     return self().hit(found);
   }
 
-  HWY_NOINLINE bool spheres(const SphereBlock<T>& block, std::uint32_t number) {
+  HWY_NOINLINE HWY_FLATTEN bool spheres(const SphereBlock<T>& block, std::uint32_t number) {
     for (int i = 0; i < width && block.index[i] != no_primitive; ++i) {
       query_.tally.template add<&Statistics::sphere_tests>(1);
       const Sphere<T> sphere = block.sphere(i);
@@ -249,7 +265,7 @@ class InsideVisitor {
     return false;
   }
 
-  HWY_NOINLINE bool spheres(const SphereBlock<T>& block) {
+  HWY_NOINLINE HWY_FLATTEN bool spheres(const SphereBlock<T>& block) {
     for (int i = 0; i < width && block.index[i] != no_primitive && !is_on_; ++i) {
       query_.tally.template add<&Statistics::sphere_tests>(1);
       const Sign sign = side(query_.ray.origin, block.sphere(i)).sign;
@@ -302,8 +318,12 @@ constexpr QueryKernels<T, Tally> query_kernels{closest<T, Tally>, any<T, Tally>,
                                                inside<T, Tally>};
 
 const Kernels& target_kernels() {
-  static constexpr Kernels table{query_kernels<float, Silent>, query_kernels<float, Counting>, query_kernels<double, Silent>,
-                                 query_kernels<double, Counting>, children_met};
+  static constexpr Kernels table{query_kernels<float, Silent>,
+                                 query_kernels<float, Counting>,
+                                 query_kernels<double, Silent>,
+                                 query_kernels<double, Counting>,
+                                 face,
+                                 children_met};
   return table;
 }
 

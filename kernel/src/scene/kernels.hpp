@@ -25,6 +25,9 @@ struct Kernels {
   QueryKernels<float, Counting> counting_float;
   QueryKernels<double, Silent> silent_double;
   QueryKernels<double, Counting> counting_double;
+  /// As rounding::face.
+  TriangleHit<double> (*face)(const Ray<double>& ray, const Triangle<double>& triangle,
+                              const predicates::TriangleTerms<double>& terms) noexcept;
   /// The children whose boxes the ray meets, as bits, and where it enters them.
   unsigned (*meet_boxes)(const BoxRay& ray, const Node& node, float* entry) noexcept;
 

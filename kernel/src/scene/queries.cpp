@@ -22,7 +22,13 @@ template <Real T, class Tally>
     hit.sphere = intersect(query.ray, query.data.spheres[c.block].sphere(c.lane));
   } else {
     const Triangle<T> triangle = query.data.triangles[c.block].triangle(c.lane);
-    hit.triangle = c.is_face ? rounding::face(query.ray, triangle, c.terms) : intersect(query.ray, triangle);
+    if (!c.is_face) {
+      hit.triangle = intersect(query.ray, triangle);
+    } else if constexpr (std::same_as<T, double>) {
+      hit.triangle = kernels().face(query.ray, triangle, c.terms);
+    } else {
+      hit.triangle = rounding::face(query.ray, triangle, c.terms);
+    }
   }
   return hit;
 }

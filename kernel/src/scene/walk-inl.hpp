@@ -36,6 +36,16 @@ HWY_INLINE void walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
         next = node.children[one];
         continue;
       }
+      if ((met & (met - 1)) == 0) {
+        // Two are the most common: no branch on which is nearer.
+        const int other = __builtin_ctz(met);
+        const float at_one = entry[one], at_other = entry[other];
+        const Child child_one = node.children[one], child_other = node.children[other];
+        const bool is_swapped = at_other < at_one;
+        *top++ = {is_swapped ? child_one : child_other, is_swapped ? at_one : at_other};
+        next = is_swapped ? child_other : child_one;
+        continue;
+      }
       // The nearest is next; the others go on the stack, the farthest first: an insertion sort, for there are few.
       Entry* const base = top;
       *top++ = {node.children[one], entry[one]};
