@@ -3,6 +3,8 @@
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <span>
@@ -17,6 +19,7 @@ namespace graze::bench {
 class EmbreeScene {
  public:
   EmbreeScene(const fuzz::Mesh& mesh, bool is_robust, const char* config = "threads=1") : device_(rtcNewDevice(config)) {
+    rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, this);
     scene_ = rtcNewScene(device_);
     if (is_robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -41,6 +44,10 @@ class EmbreeScene {
   }
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  /// What Embree holds, its copy of the mesh included, and what it held at most.
+  [[nodiscard]] std::size_t memory() const { return static_cast<std::size_t>(bytes_); }
+  [[nodiscard]] std::size_t peak_memory() const { return static_cast<std::size_t>(peak_); }
 
   /// The index of the closest triangle, or RTC_INVALID_GEOMETRY_ID.
   [[nodiscard]] unsigned closest(const Ray<float>& ray) const {
@@ -122,6 +129,16 @@ class EmbreeScene {
     return query;
   }
 
+  static bool count_bytes(void* self, ssize_t bytes, bool) {
+    auto& scene = *static_cast<EmbreeScene*>(self);
+    const std::int64_t now = scene.bytes_ += bytes;
+    std::int64_t peak = scene.peak_;
+    while (peak < now && !scene.peak_.compare_exchange_weak(peak, now)) {
+    }
+    return true;
+  }
+
+  std::atomic<std::int64_t> bytes_{0}, peak_{0};
   RTCDevice device_;
   RTCScene scene_;
 };

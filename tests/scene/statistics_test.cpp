@@ -82,6 +82,47 @@ TEST_CASE("A scene without spheres makes no sphere test") {
   CHECK(statistics.triangle_tests > 200);
 }
 
+TEST_CASE("A scene of small integers runs no error bound, and rays of other numbers do") {
+  in_both_formats([]<Real T>() {
+    // A block of 3 x 3 x 3 cubes' worth of surface, and a square inside it.
+    std::vector<Vec3<T>> points;
+    std::vector<Corners> triangles;
+    const auto square = [&](const Vec3<T>& p, const Vec3<T>& q, const Vec3<T>& r, const Vec3<T>& s) {
+      const auto first = static_cast<std::uint32_t>(points.size());
+      points.insert(points.end(), {p, q, r, s});
+      triangles.insert(triangles.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+    };
+    for (int k = 0; k < 4; ++k) {
+      const T z = T(k);
+      square({0, 0, z}, {3, 0, z}, {3, 3, z}, {0, 3, z});
+      square({0, z, 0}, {0, z, 3}, {3, z, 3}, {3, z, 0});
+    }
+    Scene<T> scene;
+    REQUIRE(scene.build({Mesh<T>{points, triangles}}).ok());
+    const Random stream(1, "small-integers", sizeof(T));
+    Statistics integers, others;
+    std::uint64_t hits = 0;
+    for (std::uint64_t i = 0; i < 500; ++i) {
+      Random random = stream.at(i);
+      Ray<T> ray;
+      for (T* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z}) *x = static_cast<T>(random.between(-5, 8));
+      for (T* x : {&ray.direction.x, &ray.direction.y, &ray.direction.z}) *x = static_cast<T>(random.between(-2, 2));
+      if (ray.direction == Vec3<T>{}) continue;
+      hits += scene.closest(ray, {}, integers).is_hit();
+      static_cast<void>(scene.any(ray, {}, integers));
+      static_cast<void>(scene.count(ray, {}, integers));
+      static_cast<void>(scene.all(ray, {}, integers));
+      ray.direction.x += T(0.1);
+      static_cast<void>(scene.closest(ray, {}, others));
+    }
+    CHECK(hits > 30);
+    CHECK(integers.error_bounds == 0);
+    CHECK(integers.filter_hits > hits);
+    CHECK(integers.exact_orders < integers.filter_hits);
+    CHECK(others.error_bounds == others.triangle_tests);
+  });
+}
+
 TEST_CASE("Nodes visited grow with the logarithm of the number of triangles, and doubt is rare") {
   in_both_formats([]<Real T>() {
     double nodes[5];

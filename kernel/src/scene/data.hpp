@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graze/scene.hpp"
+#include "numeric/dyadic.hpp"
 #include "scene/node.hpp"
 #include "scene/pages.hpp"
 
@@ -16,6 +17,7 @@ struct Content {
   std::vector<Part<T>> parts;
   std::vector<std::uint32_t> first;  ///< the index of each part's first primitive, and the number of all
   Bounds<T> bounds{};
+  numeric::Extent extent;  ///< of all triangles' corners
   Space space;
 
   [[nodiscard]] std::uint32_t size() const noexcept { return first.empty() ? 0 : first.back(); }

@@ -31,8 +31,8 @@ struct Rays {
   BoxRay box;
 };
 template <Real T>
-HWY_NOINLINE HWY_FLATTEN Rays<T> rays_of(const Space& space, const Box& root, const Ray<T>& ray) {
-  return {RayLanes<T>(ray), box_ray(space, root, ray)};
+HWY_NOINLINE HWY_FLATTEN Rays<T> rays_of(const Data<T>& data, const Ray<T>& ray) {
+  return {RayLanes<T>(ray, data.extent), box_ray(data.space, data.root, ray)};
 }
 template <Real T>
 HWY_NOINLINE HWY_FLATTEN void end_rays_at(RayLanes<T>& lanes, BoxRay& box, double t) {
@@ -46,7 +46,7 @@ template <Real T, class Tally, class Derived>
 class HitVisitor {
  public:
   explicit HitVisitor(const Query<T, Tally>& query)
-      : query_(query), rays_(rays_of(query.data.space, query.data.root, query.ray)), takes_all_(query.takes_all()) {}
+      : query_(query), rays_(rays_of(query.data, query.ray)), takes_all_(query.takes_all()) {}
 
   HWY_INLINE void run() { walk(query_, box_, *this); }
 
@@ -76,6 +76,7 @@ class HitVisitor {
     const unsigned lanes = lanes_of(block.index);
     const auto tests = static_cast<unsigned>(__builtin_popcount(lanes));
     query_.tally.template add<&Statistics::triangle_tests>(tests);
+    if (HWY_UNLIKELY(ray_.is_integer)) return integers(block, number, lanes);
     LaneVerdicts verdicts{0, lanes};
     if (HWY_LIKELY(ray_.range_is_plain)) {
       verdicts = settle(ray_, block);
@@ -102,11 +103,7 @@ class HitVisitor {
     using predicates::TriangleVerdict;
     if (!query_.sees(block.index[i])) return false;
     const Triangle<T> triangle = block.triangle(i);
-    Candidate found;
-    found.shape = Shape::triangle;
-    found.lane = static_cast<std::uint8_t>(i);
-    found.block = number;
-    found.index = block.index[i];
+    Candidate found = candidate(block, number, i);
     found.terms = predicates::triangle_terms<double>(query_.ray, triangle);
     const TriangleVerdict verdict = predicates::verdict(found.terms, query_.ray);
     if (verdict == TriangleVerdict::miss) {
@@ -125,12 +122,63 @@ class HitVisitor {
         query_.tally.template add<&Statistics::filter_misses>(1);
         return false;
       }
-      query_.tally.template add<&Statistics::exact_decisions>(1);
-      const exact::TriangleDecision decision = exact::decide(query_.ray, triangle);
-      if (decision.kind == TriangleKind::miss || !query_.takes(decision.kind, decision.facing)) return false;
+      if (!decide(triangle)) return false;
       if (Derived::wants_t && !is_bounded) found.t = exact::enclose_first(query_.ray, triangle);
     }
     return self().hit(found);
+  }
+
+  /// All of a block, where their determinants are exact: only rays in a triangle's plane are left to the exact stage.
+  HWY_NOINLINE HWY_FLATTEN bool integers(const TriangleBlock<T>& block, std::uint32_t number, unsigned lanes) {
+    IntegerVerdicts verdicts;
+    settle_integers(query_.ray, block, verdicts);
+    unsigned met = verdicts.met & lanes;
+    const unsigned uncertain = verdicts.uncertain & lanes;
+    query_.tally.template add<&Statistics::filter_misses>(__builtin_popcount(lanes & ~(met | uncertain)));
+    if (!Derived::wants_t && takes_all_ && met != 0) {
+      const auto hits = static_cast<unsigned>(__builtin_popcount(met));
+      query_.tally.template add<&Statistics::filter_hits>(hits);
+      if (self().hits(hits)) return true;
+      met = 0;
+    }
+    for (unsigned rest = met | uncertain; rest != 0; rest &= rest - 1) {
+      const int i = __builtin_ctz(rest);
+      const auto bit = [i](unsigned bits) { return (bits >> i & 1) != 0; };
+      if (!query_.sees(block.index[i])) continue;
+      Candidate found = candidate(block, number, i);
+      if (bit(met)) {
+        query_.tally.template add<&Statistics::filter_hits>(1);
+        // Of a point in the plane options see only the side.
+        if (!query_.takes(TriangleKind::face, bit(verdicts.front) ? Facing::front : Facing::back)) continue;
+        const double whole = verdicts.whole[i], u = verdicts.u[i], v = verdicts.v[i], distance = verdicts.distance[i];
+        found.is_face = bit(verdicts.inner);
+        found.is_integer = true;
+        found.terms = {whole, u, v, whole - u - v, distance, 0, 0, bit(verdicts.front), true};
+        if (Derived::wants_t) found.t = enclose(found.terms);
+      } else {
+        const Triangle<T> triangle = block.triangle(i);
+        if (!decide(triangle)) continue;
+        if (Derived::wants_t) found.t = exact::enclose_first(query_.ray, triangle);
+      }
+      if (self().hit(found)) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] HWY_INLINE Candidate candidate(const TriangleBlock<T>& block, std::uint32_t number, int i) const {
+    Candidate found;
+    found.shape = Shape::triangle;
+    found.lane = static_cast<std::uint8_t>(i);
+    found.block = number;
+    found.index = block.index[i];
+    return found;
+  }
+
+  /// By exact integers: whether the ray meets the triangle and the query takes it.
+  [[nodiscard]] bool decide(const Triangle<T>& triangle) const {
+    query_.tally.template add<&Statistics::exact_decisions>(1);
+    const exact::TriangleDecision decision = exact::decide(query_.ray, triangle);
+    return decision.kind != TriangleKind::miss && query_.takes(decision.kind, decision.facing);
   }
 
   HWY_NOINLINE HWY_FLATTEN bool spheres(const SphereBlock<T>& block, std::uint32_t number) {
@@ -229,8 +277,7 @@ struct CollectVisitor : HitVisitor<T, Tally, CollectVisitor<T, Tally>> {
 template <Real T, class Tally>
 class InsideVisitor {
  public:
-  explicit InsideVisitor(const Query<T, Tally>& query)
-      : query_(query), ray_(query.ray), box_(box_ray(query.data.space, query.data.root, query.ray)) {}
+  explicit InsideVisitor(const Query<T, Tally>& query) : query_(query), rays_(rays_of(query.data, query.ray)) {}
 
   [[nodiscard]] HWY_INLINE Place place() {
     walk(query_, box_, *this);
@@ -247,16 +294,26 @@ class InsideVisitor {
     const unsigned lanes = lanes_of(block.index);
     const auto tests = static_cast<unsigned>(__builtin_popcount(lanes));
     query_.tally.template add<&Statistics::triangle_tests>(tests);
-    query_.tally.template add<&Statistics::error_bounds>(tests);
     // A certain verdict holds for the perturbed ray too, and for the point itself: it is an end of the ray.
-    const LaneVerdicts verdicts = settle(ray_, block);
+    LaneVerdicts verdicts;
+    if (ray_.is_integer) {
+      IntegerVerdicts exact_ones;
+      settle_integers(query_.ray, block, exact_ones);
+      verdicts = {exact_ones.inner, (exact_ones.met & ~exact_ones.inner) | exact_ones.uncertain};
+    } else {
+      query_.tally.template add<&Statistics::error_bounds>(tests);
+      verdicts = settle(ray_, block);
+    }
     is_inside_ ^= (__builtin_popcount(verdicts.face & lanes) & 1) != 0;
     for (unsigned rest = verdicts.uncertain & lanes; rest != 0; rest &= rest - 1) {
       const Triangle<T> triangle = block.triangle(__builtin_ctz(rest));
-      const TriangleVerdict verdict = predicates::verdict(predicates::triangle_terms<double>(query_.ray, triangle), query_.ray);
-      if (verdict != TriangleVerdict::uncertain) {
-        is_inside_ ^= verdict == TriangleVerdict::face;
-        continue;
+      if (!ray_.is_integer) {
+        const TriangleVerdict verdict =
+            predicates::verdict(predicates::triangle_terms<double>(query_.ray, triangle), query_.ray);
+        if (verdict != TriangleVerdict::uncertain) {
+          is_inside_ ^= verdict == TriangleVerdict::face;
+          continue;
+        }
       }
       query_.tally.template add<&Statistics::exact_decisions>(1);
       if (exact::is_on(query_.ray.origin, triangle)) return is_on_ = true;
@@ -276,8 +333,9 @@ class InsideVisitor {
   }
 
   const Query<T, Tally>& query_;
-  RayLanes<T> ray_;
-  BoxRay box_;
+  Rays<T> rays_;
+  RayLanes<T>& ray_ = rays_.lanes;
+  BoxRay& box_ = rays_.box;
   bool is_inside_ = false, is_on_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/build.hpp"
+#include "scene/lanes.hpp"
 
 namespace graze::scene {
 namespace {
@@ -138,6 +139,22 @@ Space space_of(const Content<T>& content) {
   return space;
 }
 
+template <Real T>
+numeric::Extent extent_of(const Content<T>& content) noexcept {
+  numeric::Extent extent;
+  for (const Part<T>& part : content.parts) {
+    const auto* mesh = std::get_if<Mesh<T>>(&part);
+    if (mesh == nullptr) continue;
+    const std::span<const Vec3<T>> points = mesh->points.get();
+    for (const Corners& corners : mesh->triangles.get()) {
+      for (const std::uint32_t c : corners) extent.include(numeric::dyadic(points[c]));
+      // What is no scene of small integers is seldom taken for one for long.
+      if (!is_small(extent)) return extent;
+    }
+  }
+  return extent;
+}
+
 }  // namespace
 
 template <Real T>
@@ -153,6 +170,7 @@ BuildStatus measure(Content<T>& content) {
   }
   content.first = std::move(first);
   content.bounds = total == 0 ? Bounds<T>{} : bounds_of(content);
+  content.extent = extent_of(content);
   content.space = total == 0 ? Space{} : space_of(content);
   return {};
 }

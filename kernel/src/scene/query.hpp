@@ -3,6 +3,7 @@
 
 #include "graze/sphere.hpp"
 #include "graze/triangle.hpp"
+#include "numeric/integer.hpp"
 #include "scene/box_ray.hpp"
 #include "scene/data.hpp"
 #include "scene/enclose.hpp"
@@ -37,7 +38,8 @@ struct Query {
 /// A hit: which primitive, where it lies, and an interval that holds its exact first value.
 struct Candidate {
   Shape shape = Shape::none;
-  bool is_face = false;  ///< a triangle's, of which the filter is sure: `terms` holds
+  bool is_face = false;     ///< a triangle's, of which the filter is sure: `terms` holds
+  bool is_integer = false;  ///< the determinants in `terms` are exact
   std::uint8_t lane = 0;
   std::uint32_t block = 0;
   std::uint32_t index = no_primitive;
@@ -51,11 +53,25 @@ inline auto with_shape(const Data<T>& data, const Candidate& c, F f) noexcept {
   return c.shape == Shape::triangle ? f(data.triangles[c.block].triangle(c.lane)) : f(data.spheres[c.block].sphere(c.lane));
 }
 
+/// The sign of one's distance / whole minus the other's, which are exact: integers of at most 53 bits in their common unit.
+[[nodiscard]] inline int compare_quotients(const predicates::TriangleTerms<double>& one,
+                                           const predicates::TriangleTerms<double>& other) noexcept {
+  using namespace numeric;
+  const Dyadic n1 = dyadic(one.distance), n2 = dyadic(other.distance), d1 = dyadic(one.whole), d2 = dyadic(other.whole);
+  Extent n, d;
+  n.include(n1);
+  n.include(n2);
+  d.include(d1);
+  d.include(d2);
+  return numeric::compare(integer<1>(n1, n.low) * integer<1>(d2, d.low), integer<1>(n2, n.low) * integer<1>(d1, d.low));
+}
+
 /// The sign of one's exact first value minus the other's.
 template <Real T, class Tally>
 [[nodiscard]] inline int compare(const Query<T, Tally>& query, const Candidate& one, const Candidate& other) noexcept {
   if (one.t.high < other.t.low) return -1;
   if (one.t.low > other.t.high) return 1;
+  if (one.is_integer && other.is_integer) return compare_quotients(one.terms, other.terms);
   query.tally.template add<&Statistics::exact_orders>(1);
   return with_shape(query.data, one, [&](const auto& a) {
     return with_shape(query.data, other, [&](const auto& b) { return exact::compare_first(query.ray, a, b); });

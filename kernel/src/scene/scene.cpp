@@ -40,6 +40,7 @@ template <Real T, class Elements>
 BuildStatus replace(scene::Data<T>& data, Elements& held, Elements& fresh) {
   std::swap(held, fresh);
   const Bounds<T> bounds = data.bounds;
+  const numeric::Extent extent = data.extent;
   const scene::Space space = data.space;
   BuildStatus status;
   try {
@@ -52,6 +53,7 @@ BuildStatus replace(scene::Data<T>& data, Elements& held, Elements& fresh) {
   if (!status.ok()) {
     std::swap(held, fresh);
     data.bounds = bounds;
+    data.extent = extent;
     data.space = space;
     return status;
   }

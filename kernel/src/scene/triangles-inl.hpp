@@ -102,6 +102,52 @@ HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& b
   return out;
 }
 
+/// Eight numbers as doubles, a vector of them.
+template <class D>
+HWY_INLINE auto load_as_double(D d, const double* HWY_RESTRICT from) {
+  return hn::Load(d, from);
+}
+template <class D>
+HWY_INLINE auto load_as_double(D d, const float* HWY_RESTRICT from) {
+  return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
+}
+
+/// For rays with `is_integer`: no operation rounds, so nothing needs a bound.
+template <Real T>
+HWY_INLINE void settle_integers(const Ray<T>& ray, const TriangleBlock<T>& block, IntegerVerdicts& out) {
+  const hn::CappedTag<double, width> d;
+  using V = hn::Vec<decltype(d)>;
+  constexpr std::size_t lanes = hn::MaxLanes(hn::CappedTag<double, width>());
+  const auto vector = [&](const Vec3<T>& p) HWY_ATTR {
+    return Vectors<V>{hn::Set(d, static_cast<double>(p.x)), hn::Set(d, static_cast<double>(p.y)),
+                      hn::Set(d, static_cast<double>(p.z))};
+  };
+  const Vectors<V> direction = vector(ray.direction), origin = vector(ray.origin);
+  const V zero = hn::Zero(d);
+  for (std::size_t i = 0; i < width; i += lanes) {
+    const auto corner = [&](int c) HWY_ATTR {
+      return Vectors<V>{load_as_double(d, block.corners[c][0] + i), load_as_double(d, block.corners[c][1] + i),
+                        load_as_double(d, block.corners[c][2] + i)};
+    };
+    const Vectors<V> a = corner(0), e1 = difference(corner(1), a), e2 = difference(corner(2), a),
+                     from_a = difference(origin, a);
+    const Vectors<V> h = cross(direction, e2), g = cross(from_a, e1);
+    const V determinant = dot(e1, h), sign = hn::And(determinant, hn::Set(d, -0.0)), whole = hn::Abs(determinant);
+    const V u = hn::Xor(dot(from_a, h), sign), v = hn::Xor(dot(direction, g), sign), w = hn::Sub(hn::Sub(whole, u), v);
+    const V distance = hn::Xor(dot(e2, g), sign), least = hn::Min(hn::Min(u, v), hn::Min(w, distance));
+    const auto is_crossed = hn::Gt(whole, zero);
+    out.met |= bits_of_mask(d, hn::And(is_crossed, hn::Ge(least, zero))) << i;
+    out.inner |= bits_of_mask(d, hn::And(is_crossed, hn::Gt(least, zero))) << i;
+    out.uncertain |= bits_of_mask(d, hn::And(hn::Eq(whole, zero), hn::Eq(distance, zero))) << i;
+    // The determinant is -d . n.
+    out.front |= bits_of_mask(d, hn::Gt(determinant, zero)) << i;
+    hn::Store(whole, d, out.whole + i);
+    hn::Store(u, d, out.u + i);
+    hn::Store(v, d, out.v + i);
+    hn::Store(distance, d, out.distance + i);
+  }
+}
+
 }  // namespace graze::scene::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
