@@ -85,8 +85,8 @@ int run(const fuzz::Subject& kernel, const Options& options) {
 
 int run(const Options& options) {
   if (options.test && options.kernel.mode != fuzz::FloatMode::nearest) {
-    return refuse(
-        "graze: --test writes tests that run in the default floating-point mode, so it goes with no other --float-mode");
+    return refuse_by_name(
+        "--test writes tests that run in the default floating-point mode, so it goes with no other --float-mode");
   }
   const Kernel kernel = open_kernel(options.kernel);
   if (!kernel.wrong.empty()) return refuse_by_name(kernel.wrong);

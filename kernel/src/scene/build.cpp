@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <limits>
 #include <memory>
 
@@ -12,14 +13,49 @@
 namespace graze::scene {
 namespace {
 
+/// Three floats and one more that is not looked at.
+using Four = float __attribute__((vector_size(16)));
+
+[[nodiscard]] inline Four lesser(const Four& a, const Four& b) noexcept {
+  return a < b ? a : b;
+}
+[[nodiscard]] inline Four greater(const Four& a, const Four& b) noexcept {
+  return a > b ? a : b;
+}
+
 /// A primitive, to be sorted.
-struct Reference {
+struct alignas(16) Reference {
   float low[3];
   std::uint32_t index : 31;
   std::uint32_t is_sphere : 1;
   float high[3];
+  std::uint32_t unused;
 
-  [[nodiscard]] float center(int k) const noexcept { return low[k] + high[k]; }
+  /// With the index as the fourth.
+  [[nodiscard]] Four low_corner() const noexcept {
+    Four out;
+    std::memcpy(&out, low, sizeof out);
+    return out;
+  }
+  [[nodiscard]] Four high_corner() const noexcept {
+    Four out;
+    std::memcpy(&out, high, sizeof out);
+    return out;
+  }
+  /// Twice that.
+  [[nodiscard]] Four center() const noexcept { return low_corner() + high_corner(); }
+};
+
+/// A box that grows.
+struct Hull {
+  Four low = Four{} + 0x1p100F, high = Four{} - 0x1p100F;
+
+  void include(const Four& from, const Four& to) noexcept {
+    low = lesser(from, low);
+    high = greater(to, high);
+  }
+  void include(const Hull& other) noexcept { include(other.low, other.high); }
+  [[nodiscard]] Box box() const noexcept { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 };
 
 struct Range {
@@ -42,9 +78,15 @@ constexpr int bins = 16;
 constexpr int deepest_by_area = 60;
 
 struct Bin {
-  Box box = Box::empty();
+  Hull hull;
   std::size_t size = 0;
+
+  void include(const Bin& other) noexcept {
+    hull.include(other.hull);
+    size += other.size;
+  }
 };
+using Bins = std::array<std::array<Bin, bins>, 3>;
 
 void include(Box& box, const Reference& r) noexcept {
   box.include({{r.low[0], r.low[1], r.low[2]}, {r.high[0], r.high[1], r.high[2]}});
@@ -52,12 +94,25 @@ void include(Box& box, const Reference& r) noexcept {
 
 /// From centers to bins. Whatever the rounding, a bin is in [0, bins).
 struct Binning {
-  float low[3], scale[3];
+  Four low, scale;
 
-  [[nodiscard]] int bin(const Reference& r, int k) const noexcept {
-    const float x = (r.center(k) - low[k]) * scale[k];
-    return x >= bins - 1 ? bins - 1 : x > 0 ? static_cast<int>(x) : 0;
+  explicit Binning(const Hull& centers) noexcept : low(centers.low), scale{} {
+    for (int k = 0; k < 3; ++k) {
+      const float extent = centers.high[k] - centers.low[k];
+      scale[k] = extent > 0x1p-100f ? bins * 0.9999f / extent : 0;
+    }
   }
+  using Places = std::int32_t __attribute__((vector_size(16)));
+  [[nodiscard]] Places places(const Reference& r) const noexcept {
+    const Four last = Four{} + (bins - 1), x = (r.center() - low) * scale;
+    return __builtin_convertvector(lesser(x > 0 ? x : Four{}, last), Places);
+  }
+};
+
+/// A way to part a range in two.
+struct Split {
+  int axis = -1;  ///< none where all centers share a bin
+  int bin = 0;    ///< the first of the second part
 };
 
 class Builder {
@@ -96,73 +151,105 @@ class Builder {
     return true;
   }
 
-  [[nodiscard]] Range range(std::size_t begin, std::size_t end, int depth) const noexcept {
+  [[nodiscard]] Range range(std::size_t begin, std::size_t end, int depth) const {
     Range out{begin, end, Box::empty(), depth};
-    for (std::size_t i = begin; i < end; ++i) include(out.box, references_[i]);
+    const auto hull = [&](std::size_t from, std::size_t to) {
+      Hull sum;
+      for (std::size_t i = from; i < to; ++i) sum.include(references_[i].low_corner(), references_[i].high_corner());
+      return sum;
+    };
+    out.box = summed<Hull>(out, hull, [](Hull& sum, const Hull& other) { sum.include(other); }).box();
     return out;
   }
 
-  [[nodiscard]] std::pair<Range, Range> halves(const Range& whole, std::size_t middle) const noexcept {
+  [[nodiscard]] std::pair<Range, Range> halves(const Range& whole, std::size_t middle) const {
     return {range(whole.begin, middle, whole.depth + 1), range(middle, whole.end, whole.depth + 1)};
   }
 
   /// Neither part is empty.
-  [[nodiscard]] std::pair<Range, Range> split(const Range& whole) const noexcept {
+  [[nodiscard]] std::pair<Range, Range> split(const Range& whole) const {
     const auto begin = references_.begin() + static_cast<std::ptrdiff_t>(whole.begin);
     const auto end = references_.begin() + static_cast<std::ptrdiff_t>(whole.end);
     if (whole.size() <= width) {
       const auto middle = std::partition(begin, end, [](const Reference& r) { return r.is_sphere == 0; });
       return halves(whole, static_cast<std::size_t>(middle - references_.begin()));
     }
-    float low[3], high[3];
-    for (int k = 0; k < 3; ++k) low[k] = high[k] = begin->center(k);
-    for (auto r = begin; r != end; ++r) {
-      for (int k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], r->center(k));
-        high[k] = std::max(high[k], r->center(k));
-      }
-    }
-    Binning binning;
-    for (int k = 0; k < 3; ++k) {
-      const float extent = high[k] - low[k];
-      binning.low[k] = low[k];
-      binning.scale[k] = extent > 0x1p-100f ? bins * 0.9999f / extent : 0;
-    }
-    const auto [axis, bin] = best_split(begin, end, binning);
-    if (axis >= 0 && whole.depth < deepest_by_area) {
-      const auto middle = std::partition(begin, end, [&](const Reference& r) { return binning.bin(r, axis) < bin; });
+    const Binning binning(centers(whole));
+    const Split best = best_split(whole, binning);
+    if (best.axis >= 0 && whole.depth < deepest_by_area) {
+      const auto middle =
+          std::partition(begin, end, [&](const Reference& r) { return binning.places(r)[best.axis] < best.bin; });
+      // The bins' own hulls would not do: another thread may have filled them in another rounding mode.
       if (middle != begin && middle != end) return halves(whole, static_cast<std::size_t>(middle - references_.begin()));
     }
     return halves(whole, whole.begin + whole.size() / 2);
   }
 
-  /// The axis and the first bin of the second part; no axis where all centers share a bin.
-  template <class Iterator>
-  [[nodiscard]] std::pair<int, int> best_split(Iterator begin, Iterator end, const Binning& binning) const noexcept {
-    std::array<std::array<Bin, bins>, 3> table;
-    for (auto r = begin; r != end; ++r) {
-      for (int k = 0; k < 3; ++k) {
-        Bin& bin = table[k][binning.bin(*r, k)];
-        include(bin.box, *r);
-        ++bin.size;
+  /// The sum of what `part(begin, end)` gives for parts of a range, on all cores where it is long. Sums are exact, so the same.
+  template <class Sum, class Part, class Add>
+  [[nodiscard]] Sum summed(const Range& whole, Part part, Add add) const {
+    constexpr std::size_t parts = 8, least = 1 << 16;
+    if (whole.size() < least) return part(whole.begin, whole.end);
+    std::array<Sum, parts> sums;
+    for_ranges(parts, 1, threads_, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) {
+        sums[i] = part(whole.begin + whole.size() * i / parts, whole.begin + whole.size() * (i + 1) / parts);
       }
-    }
-    std::pair<int, int> best{-1, 0};
+    });
+    for (std::size_t i = 1; i < parts; ++i) add(sums[0], sums[i]);
+    return sums[0];
+  }
+
+  [[nodiscard]] Hull centers(const Range& whole) const {
+    return summed<Hull>(
+        whole,
+        [&](std::size_t begin, std::size_t end) {
+          Hull hull;
+          for (std::size_t i = begin; i < end; ++i) hull.include(references_[i].center(), references_[i].center());
+          return hull;
+        },
+        [](Hull& sum, const Hull& hull) { sum.include(hull); });
+  }
+
+  [[nodiscard]] Bins filled(const Range& whole, const Binning& binning) const {
+    return summed<Bins>(
+        whole,
+        [&](std::size_t begin, std::size_t end) {
+          Bins table;
+          for (std::size_t i = begin; i < end; ++i) {
+            const Four low = references_[i].low_corner(), high = references_[i].high_corner();
+            const Binning::Places places = binning.places(references_[i]);
+            for (int k = 0; k < 3; ++k) {
+              Bin& bin = table[k][places[k]];
+              bin.hull.include(low, high);
+              ++bin.size;
+            }
+          }
+          return table;
+        },
+        [](Bins& sum, const Bins& table) {
+          for (int k = 0; k < 3; ++k) {
+            for (int i = 0; i < bins; ++i) sum[k][i].include(table[k][i]);
+          }
+        });
+  }
+
+  [[nodiscard]] Split best_split(const Range& whole, const Binning& binning) const {
+    const Bins table = filled(whole, binning);
+    Split best;
     float least = std::numeric_limits<float>::infinity();
     for (int k = 0; k < 3; ++k) {
       std::array<float, bins> cost{};
       Bin sum;
       for (int i = bins - 1; i > 0; --i) {
-        sum.box.include(table[k][i].box);
-        sum.size += table[k][i].size;
-        cost[i] = sum.size == 0 ? -1 : sum.box.half_area() * blocks(sum.size);
+        sum.include(table[k][i]);
+        cost[i] = sum.size == 0 ? -1 : sum.hull.box().half_area() * blocks(sum.size);
       }
       sum = {};
       for (int i = 1; i < bins; ++i) {
-        sum.box.include(table[k][i - 1].box);
-        sum.size += table[k][i - 1].size;
+        sum.include(table[k][i - 1]);
         if (sum.size == 0 || cost[i] < 0) continue;
-        const float total = cost[i] + sum.box.half_area() * blocks(sum.size);
+        const float total = cost[i] + sum.hull.box().half_area() * blocks(sum.size);
         if (total < least) {
           least = total;
           best = {k, i};
@@ -237,6 +324,7 @@ Pages<Reference> references_of(const Data<T>& data, Threads threads) {
         std::copy_n(box.high, 3, r.high);
         r.index = static_cast<std::uint32_t>(first + i);
         r.is_sphere = mesh == nullptr ? 1 : 0;
+        r.unused = 0;
       }
     });
   }

@@ -9,6 +9,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 
+/// Asks for a child's memory, for it will be visited soon: in a scene beyond the caches a tenth of the time.
+template <Real T>
+HWY_INLINE void fetch(const Data<T>& data, Child child) {
+  const void* const at = !child.is_leaf()     ? static_cast<const void*>(data.nodes.data() + child.index())
+                         : child.is_spheres() ? static_cast<const void*>(data.spheres.data() + child.index())
+                                              : static_cast<const void*>(data.triangles.data() + child.index());
+  for (int line = 0; line < 4; ++line) __builtin_prefetch(static_cast<const char*>(at) + 64 * line);
+}
+
 /// Visits the leaves that the ray meets, nearer ones first as far as their boxes tell, until visitor.leaf(child) returns true.
 /// The visitor may shorten the ray.
 template <Real T, class Tally, class Visitor>
@@ -43,6 +52,10 @@ HWY_INLINE void walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
         const Child child_one = node.children[one], child_other = node.children[other];
         const bool is_swapped = at_other < at_one;
         *top++ = {is_swapped ? child_one : child_other, is_swapped ? at_one : at_other};
+<<<<<<< HEAD
+=======
+        fetch(query.data, top[-1].child);
+>>>>>>> scene
         next = is_swapped ? child_other : child_one;
         continue;
       }
@@ -56,6 +69,7 @@ HWY_INLINE void walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
         Entry* hole = top++;
         for (; hole > base && hole[-1].entry < at; --hole) *hole = hole[-1];
         *hole = {node.children[i], at};
+        fetch(query.data, node.children[i]);
       } while (met != 0);
       next = (--top)->child;
     }
