@@ -10,6 +10,7 @@
 
 #include "batch/targets.hpp"
 #include "bench/batch_peers.hpp"
+#include "bench/columns.hpp"
 #include "bench/mixes.hpp"
 #include "bench/timing.hpp"
 #include "fuzz/subjects/moller_trumbore.hpp"
@@ -22,49 +23,12 @@ namespace {
 
 constexpr std::size_t shapes_a_ray = 4096, passes = 64;
 
-/// Shapes as arrays; `at` gives them back one by one, from those arrays.
-template <Real T>
-class TriangleColumns {
- public:
-  explicit TriangleColumns(const std::vector<Triangle<T>>& triangles) {
-    for (const auto& [a, b, c] : triangles) {
-      int k = 0;
-      for (const Vec3<T>& v : {a, b, c}) {
-        for (const T x : {v.x, v.y, v.z}) column_[k++].push_back(x);
-      }
-    }
-  }
-  [[nodiscard]] batch::TriangleArrays<T> arrays() const {
-    const auto v = [&](int k) { return batch::Vec3Arrays<T>{column_[k].data(), column_[k + 1].data(), column_[k + 2].data()}; };
-    return {v(0), v(3), v(6), column_[0].size()};
-  }
-  [[nodiscard]] static Triangle<T> at(const batch::TriangleArrays<T>& t, std::size_t i) {
-    return {{t.a.x[i], t.a.y[i], t.a.z[i]}, {t.b.x[i], t.b.y[i], t.b.z[i]}, {t.c.x[i], t.c.y[i], t.c.z[i]}};
-  }
-
- private:
-  std::vector<T> column_[9];
-};
-
-template <Real T>
-class SphereColumns {
- public:
-  explicit SphereColumns(const std::vector<Sphere<T>>& spheres) {
-    for (const auto& [c, r] : spheres) {
-      int k = 0;
-      for (const T x : {c.x, c.y, c.z, r}) column_[k++].push_back(x);
-    }
-  }
-  [[nodiscard]] batch::SphereArrays<T> arrays() const {
-    return {{column_[0].data(), column_[1].data(), column_[2].data()}, column_[3].data(), column_[0].size()};
-  }
-  [[nodiscard]] static Sphere<T> at(const batch::SphereArrays<T>& s, std::size_t i) {
-    return {{s.center.x[i], s.center.y[i], s.center.z[i]}, s.radius[i]};
-  }
-
- private:
-  std::vector<T> column_[4];
-};
+template <class Columns, class Shapes>
+Columns columns_of(const Shapes& shapes) {
+  Columns columns;
+  for (const auto& shape : shapes) columns.add(shape);
+  return columns;
+}
 
 void choose(std::int64_t target) {
   hwy::SetSupportedTargetsForTest(target);
@@ -208,9 +172,12 @@ void race_triangles(int rounds) {
   namespace mt = fuzz::moller_trumbore;
   using Columns = TriangleColumns<T>;
   using Arrays = batch::TriangleArrays<T>;
-  const TriangleMix<T> mix = random_triangles<T>(shapes_a_ray);
-  const std::vector<Ray<T>> rays(mix.rays.begin(), mix.rays.begin() + passes), ahead{{{0, 0, 0}, {0, 0, 1}}};
-  const Columns plain(mix.shapes), doubted(doubtful<T>(mix.shapes));
+  const Triangles<T> mix = random_triangles<T>(shapes_a_ray);
+  std::vector<Triangle<T>> shapes;
+  for (const auto& query : mix) shapes.push_back(query.triangle);
+  std::vector<Ray<T>> rays, ahead{{{0, 0, 0}, {0, 0, 1}}};
+  for (std::size_t i = 0; i < passes; ++i) rays.push_back(mix[i].ray);
+  const auto plain = columns_of<Columns>(shapes), doubted = columns_of<Columns>(doubtful<T>(shapes));
   const auto loops = [&](const std::vector<Ray<T>>& r, const Arrays& shapes) -> std::vector<Contender> {
     return {
         loop<Columns>("Moeller-Trumbore, scalar loop", r, shapes, [](const auto& q, const auto& s) { return mt::hits(q, s); }),
@@ -235,9 +202,12 @@ template <Real T>
 void race_spheres(int rounds) {
   using Columns = SphereColumns<T>;
   using Arrays = batch::SphereArrays<T>;
-  const SphereMix<T> mix = random_spheres<T>(shapes_a_ray);
-  const std::vector<Ray<T>> rays(mix.rays.begin(), mix.rays.begin() + passes), ahead{{{0, 0, 0}, {0, 0, 1}}};
-  const Columns plain(mix.shapes), doubted(doubtful<T>(mix.shapes));
+  const Spheres<T> mix = random_spheres<T>(shapes_a_ray);
+  std::vector<Sphere<T>> shapes;
+  for (const auto& query : mix) shapes.push_back(query.sphere);
+  std::vector<Ray<T>> rays, ahead{{{0, 0, 0}, {0, 0, 1}}};
+  for (std::size_t i = 0; i < passes; ++i) rays.push_back(mix[i].ray);
+  const auto plain = columns_of<Columns>(shapes), doubted = columns_of<Columns>(doubtful<T>(shapes));
   const auto loops = [&](const std::vector<Ray<T>>& r, const Arrays& shapes) -> std::vector<Contender> {
     return {loop<Columns>("textbook, scalar loop", r, shapes,
                           [](const auto& q, const auto& s) { return textbook::naive::hits(q, s); })};

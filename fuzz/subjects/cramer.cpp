@@ -1,29 +1,12 @@
-// Ray and triangle by Cramer's rule.
+#include "fuzz/subjects/cramer.hpp"
+
 #include "fuzz/subjects/formula_subject.hpp"
 #include "fuzz/subjects/subjects.hpp"
-#include "graze/textbook/triangle.hpp"
 
 namespace graze::fuzz {
-namespace {
-
-struct Cramer {
-  static constexpr std::string_view name = "cramer";
-  static constexpr std::string_view about =
-      "Cramer's rule on the 3x3 system in u, v, t; Shirley, Marschner, Fundamentals of Computer Graphics, 4.4.2";
-
-  static constexpr Deviations deviations{
-      {Deviation::coplanar_is_miss, Deviation::degenerate_is_miss, Deviation::invalid_unhandled}};
-
-  template <Real T>
-  static TriangleHit<T> answer(const RayTriangle<T>& query) {
-    return textbook::cramer::intersect(query.ray, query.triangle);
-  }
-};
-
-}  // namespace
 
 const Subject& cramer_subject() {
-  static const FormulaSubject<Cramer> subject;
+  static const FormulaSubject<cramer::Formula> subject;
   return subject;
 }
 

@@ -5,6 +5,10 @@
 // subnormal determinant. Coplanar rays and degenerate triangles are misses.
 #pragma once
 
+#include <string_view>
+
+#include "fuzz/case.hpp"
+#include "fuzz/deviations.hpp"
 #include "graze/answer.hpp"
 #include "graze/textbook/triangle.hpp"
 #include "graze/textbook/vector.hpp"
@@ -54,5 +58,19 @@ template <Real T>
   const T t = textbook::dot(edge2, q) * inverse;
   return ray.t_min <= t && t <= ray.t_max;
 }
+
+struct Formula {
+  static constexpr std::string_view name = "moller-trumbore";
+  static constexpr std::string_view about =
+      "Moeller, Trumbore, Fast, minimum storage ray/triangle intersection, JGT 2(1) 1997; two-sided, no epsilon";
+
+  static constexpr Deviations deviations{
+      {Deviation::coplanar_is_miss, Deviation::degenerate_is_miss, Deviation::invalid_unhandled}};
+
+  template <Real T>
+  static TriangleHit<T> answer(const RayTriangle<T>& query) {
+    return moller_trumbore::intersect(query.ray, query.triangle);
+  }
+};
 
 }  // namespace graze::fuzz::moller_trumbore

@@ -1,28 +1,12 @@
-// The quadratic without cancellation, with the hole at B = 0 closed.
+#include "fuzz/subjects/textbook_repaired.hpp"
+
 #include "fuzz/subjects/formula_subject.hpp"
 #include "fuzz/subjects/subjects.hpp"
-#include "graze/textbook/sphere.hpp"
 
 namespace graze::fuzz {
-namespace {
-
-struct Repaired {
-  static constexpr std::string_view name = "textbook-repaired";
-  static constexpr std::string_view about =
-      "q = -(B + sgn(B) sqrt(D)) / 2, t = q/A and C/q, sgn(0) = 1; Press et al., Numerical Recipes, 5.6, mended at B = 0";
-
-  static constexpr Deviations deviations{{Deviation::invalid_unhandled}};
-
-  template <Real T>
-  static SphereHit<T> answer(const RaySphere<T>& query) {
-    return textbook::repaired::intersect(query.ray, query.sphere);
-  }
-};
-
-}  // namespace
 
 const Subject& textbook_repaired_subject() {
-  static const FormulaSubject<Repaired> subject;
+  static const FormulaSubject<textbook_repaired::Formula> subject;
   return subject;
 }
 

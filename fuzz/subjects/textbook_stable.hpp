@@ -1,0 +1,25 @@
+// The quadratic without cancellation, and with its hole at B = 0.
+#pragma once
+
+#include <string_view>
+
+#include "fuzz/case.hpp"
+#include "fuzz/deviations.hpp"
+#include "graze/textbook/sphere.hpp"
+
+namespace graze::fuzz::textbook_stable {
+
+struct Formula {
+  static constexpr std::string_view name = "textbook-stable";
+  static constexpr std::string_view about =
+      "q = -(B + sgn(B) sqrt(D)) / 2, t = q/A and C/q, sgn(0) = 0; Press et al., Numerical Recipes, 5.6";
+
+  static constexpr Deviations deviations{{Deviation::invalid_unhandled}};
+
+  template <Real T>
+  static SphereHit<T> answer(const RaySphere<T>& query) {
+    return textbook::stable::intersect(query.ray, query.sphere);
+  }
+};
+
+}  // namespace graze::fuzz::textbook_stable
