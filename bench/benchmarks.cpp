@@ -3,12 +3,15 @@
 #include <fstream>
 #include <iostream>
 
+#include "bench/certainty.hpp"
+#include "bench/floor.hpp"
+#include "bench/stability.hpp"
 #include "bench/time_error.hpp"
 
 int main(int argc, char** argv) {
   using namespace graze::bench;
   std::string plan_name = "quick", file = "-";
-  std::vector<std::string> parts{"time"};
+  std::vector<std::string> parts{"time", "stability", "certainty", "floor"};
   Plan plan = quick_plan;
   CLI::App app{"Time against error, stability sweeps, the cost of certainty, the floor: as JSON."};
   app.add_option("plan", plan_name, "quick or full")->check(CLI::IsMember({"quick", "full"}))->capture_default_str();
@@ -28,6 +31,9 @@ int main(int argc, char** argv) {
   nlohmann::json out = provenance(plan);
   for (const std::string& part : parts) {
     if (part == "time") out["time_error"] = time_against_error(plan);
+    if (part == "stability") out["stability"] = stability(plan);
+    if (part == "certainty") out["certainty"] = cost_of_certainty(plan);
+    if (part == "floor") out["floor"] = floor_of_loops(plan);
   }
   const std::string text = out.dump(1) + "\n";
   if (file == "-") {

@@ -19,7 +19,7 @@ struct Plan {
   std::uint64_t seed;
 };
 
-inline constexpr Plan quick_plan{"quick", {15, 0.0015}, 8192, 4096, 48, 2, 60, 1};
-inline constexpr Plan full_plan{"full", {25, 0.01}, 16384, 16384, 256, 1, 600, 1};
+inline constexpr Plan quick_plan{"quick", {15, 0.0015}, 8192, 4096, 64, 2, 150, 1};
+inline constexpr Plan full_plan{"full", {25, 0.01}, 16384, 16384, 256, 1, 2000, 1};
 
 }  // namespace graze::bench
