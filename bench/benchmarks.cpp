@@ -1,4 +1,4 @@
-// benchmarks [quick|full] [--only PART]... [-o FILE]: all measurements as one JSON document. Progress goes to standard error.
+// benchmarks [quick|full] [--only PART]... [--stages FILE] [-o FILE]: all measurements as one JSON document. Progress goes to standard error.
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
@@ -10,7 +10,7 @@
 
 int main(int argc, char** argv) {
   using namespace graze::bench;
-  std::string plan_name = "quick", file = "-";
+  std::string plan_name = "quick", file = "-", stages_file;
   std::vector<std::string> parts{"time", "stability", "certainty", "floor"};
   Plan plan = quick_plan;
   CLI::App app{"Time against error, stability sweeps, the cost of certainty, the floor: as JSON."};
@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   app.add_option("--only", parts, "parts to measure")->check(CLI::IsMember(parts))->delimiter(',');
   const auto* seed = app.add_option("--seed", plan.seed, "of all inputs")->capture_default_str();
   app.add_option("-o,--output", file, "where the JSON goes; - is standard output")->capture_default_str();
+  app.add_option("--stages", stages_file, "what stage_counts wrote, to be taken in")->check(CLI::ExistingFile);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -34,6 +35,13 @@ int main(int argc, char** argv) {
     if (part == "stability") out["stability"] = stability(plan);
     if (part == "certainty") out["certainty"] = cost_of_certainty(plan);
     if (part == "floor") out["floor"] = floor_of_loops(plan);
+  }
+  if (!stages_file.empty()) {
+    out["stages"] = nlohmann::json::parse(std::ifstream(stages_file), nullptr, false);
+    if (out["stages"].is_discarded()) {
+      std::cerr << "benchmarks: " << stages_file << " is no JSON: let stage_counts write it\n";
+      return 2;
+    }
   }
   const std::string text = out.dump(1) + "\n";
   if (file == "-") {
