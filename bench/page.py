@@ -16,7 +16,7 @@ img { max-width: 100%; height: auto; display: block; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .84rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .22rem .6rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; vertical-align: top; }
-thead th { border-bottom: 2px solid var(--line); font-weight: 600; } .name { text-align: left; } tr.ours td { font-weight: 600; }
+thead th { border-bottom: 2px solid var(--line); font-weight: 600; white-space: normal; vertical-align: bottom; } .name { text-align: left; } tr.ours td { font-weight: 600; }
 td.case { white-space: normal; text-align: left; overflow-wrap: anywhere; font: .75rem/1.4 ui-monospace, monospace; min-width: 30rem; font-weight: 400; }
 pre, code { font: .82rem/1.45 ui-monospace, monospace; } pre { background: var(--panel); padding: .5rem .75rem; border-radius: .4rem; white-space: pre-wrap; }
 details { margin: .3rem 0; } summary { cursor: pointer; color: var(--soft); }

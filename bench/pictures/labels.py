@@ -7,14 +7,15 @@ DISTANCES = (7, 12, 18, 26, 36, 48, 62, 80, 100)
 DIRECTIONS = [math.radians(angle) for angle in (0, 180, 45, 315, 135, 225, 90, 270, 20, 340, 160, 200)]
 
 
-def place(axes, points):
-    """points: (x, y, text, colour) in data coordinates. The axes' limits are final."""
+def place(axes, points, obstacles=()):
+    """points: (x, y, text, colour) in data coordinates; obstacles: texts that stay. The axes' limits are final."""
     figure = axes.figure
     renderer = figure.canvas.get_renderer()
     scale = figure.dpi / 72
     frame = axes.get_window_extent(renderer)
     dots = [axes.transData.transform((x, y)) for x, y, _, _ in points]
     taken = [Bbox.from_extents(x - 5 * scale, y - 5 * scale, x + 5 * scale, y + 5 * scale) for x, y in dots]
+    taken += [text.get_window_extent(renderer) for text in obstacles]
     for (x, y, text, colour), dot in sorted(zip(points, dots), key=lambda p: (p[1][0], p[1][1])):
         label = axes.text(x, y, text, color=colour, fontsize=8, va="center", ha="left", zorder=6,
                           bbox={"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})

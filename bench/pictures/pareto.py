@@ -44,7 +44,7 @@ def share(value, total):
 def time_axis(axes, times):
     axes.set_yscale("log")
     low, high = min(times), max(times)
-    axes.set_ylim(low / 1.7, high * 2.2)
+    axes.set_ylim(low / 1.9, high * 2.2)
     axes.set_ylabel("processor time a query (ns)")
     axes.yaxis.set_major_formatter(FuncFormatter(lambda ns, _: f"{ns:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
@@ -96,9 +96,10 @@ def numbers(axes, entries):
     time_axis(axes, [median(e["rounds"]) for e, _ in entries])
     axes.set_xlabel("error of t: median ── 99.9th percentile ● ── greatest (units in the last place of double)")
     axes.set_title("whole answers: kind, t, u, v")
+    halves = []
     for at, what in ((0.5, "double"), (0.5 * FLOAT_ULP, "float")):
         axes.axvline(at, color=BLACK, linewidth=0.8, linestyle=(0, (1, 2)), zorder=1)
-        axes.text(at * 1.15, axes.get_ylim()[0] * 1.06, f"½ ulp of {what}", fontsize=7, color=BLACK, va="bottom")
+        halves.append(axes.text(at * 1.15, axes.get_ylim()[1] * 0.97, f"½ ulp of {what}", fontsize=7, color=BLACK, va="top"))
     for entry, is_float in entries:
         axes.plot([ulps(entry, is_float, "median_ulps"), ulps(entry, is_float, "max_ulps")], [median(entry["rounds"])] * 2,
                   color=style(entry["label"])["color"], linewidth=0.9, alpha=0.55, zorder=2)
@@ -108,13 +109,13 @@ def numbers(axes, entries):
     def text(entry, is_float):
         errors = entry["errors"]
         return name(entry, is_float) + (f", {share(errors['wrong'], errors['queries'])} wrong" if errors["wrong"] else "")
-    labels.place(axes, [(ulps(e, f, "p999_ulps"), median(e["rounds"]), text(e, f), text_colour(e["label"])) for e, f in entries])
+    labels.place(axes, [(ulps(e, f, "p999_ulps"), median(e["rounds"]), text(e, f), text_colour(e["label"])) for e, f in entries], halves)
 
 
 def draw(groups, folder):
     """groups: the double and the float group of one shape and mix. Returns the picture's name."""
     entries = [(e, g["format"] == "float") for g in groups for e in g["entries"]]
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(13.5, 6.4), gridspec_kw={"width_ratios": [1, 1.55]})
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(13.5, 6.8), gridspec_kw={"width_ratios": [1, 1.55]})
     shape, title = groups[0]["shape"], groups[0]["title"]
     figure.suptitle(f"Ray and {shape}, {title}", x=0.01, ha="left", fontsize=12)
     # Before labels are placed: they are fitted to the axes as they are.

@@ -3,7 +3,7 @@ from matplotlib.ticker import FuncFormatter
 
 from .style import BLACK, GREY, pyplot, save, style
 
-LEAST_ULPS, MOST_ULPS = 0.2, 1e24
+LEAST_ULPS, MOST_ULPS = 0.2, 1e32
 
 
 def power(k, _=None):
@@ -43,9 +43,10 @@ def draw(sweep, folder):
     handles, names = top.get_legend_handles_labels()
     figure.legend(handles, names, loc="center left", bbox_to_anchor=(0.8, 0.55), frameon=False, handlelength=3.6)
     figure.tight_layout(rect=(0, 0.02, 0.8, 0.97))
+    clipped = "; errors beyond 10³² are drawn there" if max(seen) >= MOST_ULPS else ""
     theory = f"; dotted: {sweep['theory']}" if sweep["slope"] else ""
     figure.text(0.01, 0.006, f"{sweep['queries']} random inputs a level, then hill climbing for each kernel; of answers of the right "
-                f"kind{theory}", fontsize=7.5, color="#555555")
+                f"kind{clipped}{theory}", fontsize=7.5, color="#555555")
     name = f"sweep-{sweep['name']}"
     save(figure, folder, name)
     return name

@@ -1,6 +1,8 @@
 """compare and the statistics under it, on made-up runs with noise like a shared machine's: a few per cent of jitter, now and then
 a repetition that takes up to twice as long, and a run that is slower as a whole."""
 import copy
+import importlib.machinery
+import importlib.util
 import json
 import os
 import random
@@ -8,10 +10,14 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
 sys.path.insert(0, sys.argv[1])
 import rounds  # noqa: E402
 
 COMPARE = os.path.join(sys.argv[1], "compare")
+SPEC = importlib.util.spec_from_loader("compare", importlib.machinery.SourceFileLoader("compare", COMPARE))
+compare_module = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(compare_module)
 SEEDS = 20
 
 
@@ -36,6 +42,12 @@ def run(source, slowed=1.0, repetitions=11):
     return {"time_error": [{"shape": "sphere", "format": "double", "mix": "made-up", "entries": entries}]}
 
 
+def changed(old, new):
+    """The names of what changed, with the options' defaults."""
+    by_key = [{("sphere", e["name"]): e for e in results["time_error"][0]["entries"]} for results in (old, new)]
+    return {(key[1], ratio > 1) for key, ratio, _ in compare_module.changes(*by_key, 0.1, 0.1)}
+
+
 def compare(folder, old, new):
     paths = []
     for name, results in (("old.json", old), ("new.json", new)):
@@ -53,15 +65,17 @@ def check(condition, what):
 
 def main():
     caught = quiet = 0
+    for seed in range(SEEDS):
+        source = random.Random(seed)
+        old = run(source)
+        caught += ("entry-0", True) in changed(old, run(source, slowed=1.2))
+        quiet += not changed(old, run(source))
     with tempfile.TemporaryDirectory() as folder:
-        for seed in range(SEEDS):
-            source = random.Random(seed)
-            old = run(source)
-            slow = compare(folder, old, run(source, slowed=1.2))
-            named = [line for line in slow.stdout.splitlines() if line.startswith("SLOWER")]
-            caught += slow.returncode == 1 and any("entry-0 " in line for line in named)
-            same = compare(folder, old, run(source))
-            quiet += same.returncode == 0 and "SLOWER" not in same.stdout and "faster" not in same.stdout
+        source = random.Random(SEEDS)
+        old, slow = run(source), run(source, slowed=1.3)
+        result = compare(folder, old, slow)
+        check(result.returncode == 1 and result.stdout.startswith("SLOWER") and "entry-0 " in result.stdout, "a slow-down is told")
+        check(compare(folder, old, old).returncode == 0, "nothing changed")
         old = run(random.Random(99))
         wrong = copy.deepcopy(old)
         wrong["time_error"][0]["entries"][3]["errors"]["wrong"] = 1
