@@ -156,13 +156,14 @@ def scenes(scene_rows, folder):
     if not scene_rows:
         return ""
     body = []
-    for mesh in scene_rows:
-        for mix, pairs in mesh["mixes"].items():
-            for contender, ns in pairs:
-                body.append(("ours" if contender.startswith("graze") else "", [mesh["name"], f"{mesh['triangles']:,}", mix, contender, f"{ns:.0f}", f"{1000 / ns:.2f}"]))
-    about = "".join(f"<p class=soft>{escape(m['name'])}: {m['triangles']:,} triangles; {escape(m['about'])}</p>" for m in scene_rows)
-    return ("<h2>Scenes</h2>" + picture(folder, "scenes", "time a ray against the number of triangles") + about
-            + details("all figures", table(["mesh", "triangles", "rays", "kernel", "ns a ray", "Mrays/s"], body, names=4)))
+    for row in scene_rows:
+        rays = f"{1000 / row['value']:.2f}" if row["unit"] == "ns a ray" else ""
+        ratio = f"{row['ratio']:.2f} × {row['to']}" if "to" in row else ""
+        body.append(("ours" if row["contender"].startswith("graze") else "", [
+            row["section"], row["scene"], row["what"], row["contender"], f"{row['triangles']:,}", f"{row['value']:.4g} {row['unit']}", rays, ratio]))
+    return ("<h2>Scenes</h2><p>Whole scenes beside Embree and CGAL's AABB tree, on the same rays, interleaved; and against the number of triangles.</p>"
+            + picture(folder, "scenes", "time a ray against the number of triangles")
+            + details("all figures", table(["part", "scene", "measured", "kernel", "triangles", "value", "Mrays/s", "as good as"], body, names=4)))
 
 
 def html(results, scene_rows, folder):
