@@ -1,50 +1,9 @@
 """The page: one HTML file that holds all of its pictures and tables."""
-import base64
-import os
 from html import escape
 
+from page_parts import STYLE, details, picture, table
 from rounds import median, spread
 from summary import nanoseconds, rows, share, times_ratio, ulps
-
-STYLE = """
-:root { color-scheme: light; --ink: #1b1f24; --soft: #57606a; --line: #d0d7de; --panel: #f6f8fa; }
-* { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 84rem; padding: 1rem; background: #fff; color: var(--ink); font: 16px/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.5rem; margin: 0 0 .25rem; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .4rem; } h3 { font-size: 1rem; margin: 1.4rem 0 .3rem; }
-p { max-width: 56rem; margin: .4rem 0; } .soft { color: var(--soft); }
-img { max-width: 100%; height: auto; display: block; }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: .84rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .22rem .6rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; vertical-align: top; }
-thead th { border-bottom: 2px solid var(--line); font-weight: 600; white-space: normal; vertical-align: bottom; } .name { text-align: left; } tr.ours td { font-weight: 600; }
-td.case { white-space: normal; text-align: left; overflow-wrap: anywhere; font: .75rem/1.4 ui-monospace, monospace; min-width: 30rem; font-weight: 400; }
-pre, code { font: .82rem/1.45 ui-monospace, monospace; } pre { background: var(--panel); padding: .5rem .75rem; border-radius: .4rem; white-space: pre-wrap; }
-details { margin: .3rem 0; } summary { cursor: pointer; color: var(--soft); }
-"""
-
-
-def table(head, body, names=1):
-    """body: (class, cells) rows; cells are text, or (text, class)."""
-    def cell(content, column):
-        text, kind = content if isinstance(content, tuple) else (content, "name" if column < names else "")
-        return f'<td class="{kind}">{escape(text)}</td>' if kind else f"<td>{escape(text)}</td>"
-    out = ['<div class="wide"><table><thead><tr>']
-    out += [f'<th class="name">{escape(h)}</th>' if i < names else f"<th>{escape(h)}</th>" for i, h in enumerate(head)]
-    out.append("</tr></thead><tbody>")
-    for kind, cells in body:
-        out.append(f'<tr class="{kind}">' + "".join(cell(c, i) for i, c in enumerate(cells)) + "</tr>")
-    out.append("</tbody></table></div>")
-    return "".join(out)
-
-
-def picture(folder, name, text):
-    with open(os.path.join(folder, name + ".svg"), "rb") as file:
-        data = base64.b64encode(file.read()).decode()
-    return f'<img alt="{escape(text)}" src="data:image/svg+xml;base64,{data}">'
-
-
-def details(title, content):
-    return f"<details><summary>{escape(title)}</summary>{content}</details>"
 
 
 def overview(results):
@@ -52,12 +11,49 @@ def overview(results):
     for row in rows(results):
         d, n = row["decision"], row["numbers"]
         errors = n["peer_errors"]
-        body.append(("", [row["shape"], row["format"], row["mix"], nanoseconds(d["peer_ns"]), nanoseconds(d["ns"]), times_ratio(d["ns"], d["peer_ns"]),
-                          nanoseconds(d["batch_ns"]), nanoseconds(d["epick_ns"]), times_ratio(d["ns"], d["epick_ns"]), nanoseconds(n["peer_ns"]),
-                          nanoseconds(n["ns"]), times_ratio(n["ns"], n["peer_ns"]), nanoseconds(n["epick_ns"]),
-                          share(errors["wrong"], errors["queries"]), ulps(errors["max_ulps"]) if errors["values"] else "–"]))
-    return table(["shape", "format", "mix", "fastest inexact decision", "graze hits", "ratio", "graze batch", "EPICK", "graze / EPICK",
-                  "fastest inexact answer", "graze intersect", "ratio", "EPICK", "the inexact: wrong", "its worst t, ulps"], body, names=3)
+        body.append(
+            (
+                "",
+                [
+                    row["shape"],
+                    row["format"],
+                    row["mix"],
+                    nanoseconds(d["peer_ns"]),
+                    nanoseconds(d["ns"]),
+                    times_ratio(d["ns"], d["peer_ns"]),
+                    nanoseconds(d["batch_ns"]),
+                    nanoseconds(d["epick_ns"]),
+                    times_ratio(d["ns"], d["epick_ns"]),
+                    nanoseconds(n["peer_ns"]),
+                    nanoseconds(n["ns"]),
+                    times_ratio(n["ns"], n["peer_ns"]),
+                    nanoseconds(n["epick_ns"]),
+                    share(errors["wrong"], errors["queries"]),
+                    ulps(errors["max_ulps"]) if errors["values"] else "–",
+                ],
+            )
+        )
+    return table(
+        [
+            "shape",
+            "format",
+            "mix",
+            "fastest inexact decision",
+            "graze hits",
+            "ratio",
+            "graze batch",
+            "EPICK",
+            "graze / EPICK",
+            "fastest inexact answer",
+            "graze intersect",
+            "ratio",
+            "EPICK",
+            "the inexact: wrong",
+            "its worst t, ulps",
+        ],
+        body,
+        names=3,
+    )
 
 
 def entries_table(groups):
@@ -67,22 +63,51 @@ def entries_table(groups):
             errors = e["errors"]
             low, high = spread(e["rounds"])
             has_values = errors["values"] > 0
-            body.append(("ours" if e["ours"] else "", [
-                e["name"], group["format"], e["task"], f"{median(e['rounds']):.1f}", f"{low:.1f} … {high:.1f}", share(errors["wrong"], errors["queries"]),
-                share(errors["correct"], errors["values"]) if has_values else "–",
-                *[ulps(errors[k]) if has_values else "–" for k in ("median_ulps", "p999_ulps", "max_ulps")], f"{errors['queries']:,}",
-                (errors.get("worst_case", ""), "case")]))
-    return table(["kernel", "format", "task", "ns a query", "middle half", "wrong", "t correctly rounded", "median ulps", "99.9 %", "greatest", "judged",
-                  "the case of the greatest error"], body)
+            body.append(
+                (
+                    "ours" if e["ours"] else "",
+                    [
+                        e["name"],
+                        group["format"],
+                        e["task"],
+                        f"{median(e['rounds']):.1f}",
+                        f"{low:.1f} … {high:.1f}",
+                        share(errors["wrong"], errors["queries"]),
+                        share(errors["correct"], errors["values"]) if has_values else "–",
+                        *[ulps(errors[k]) if has_values else "–" for k in ("median_ulps", "p999_ulps", "max_ulps")],
+                        f"{errors['queries']:,}",
+                        (errors.get("worst_case", ""), "case"),
+                    ],
+                )
+            )
+    return table(
+        [
+            "kernel",
+            "format",
+            "task",
+            "ns a query",
+            "middle half",
+            "wrong",
+            "t correctly rounded",
+            "median ulps",
+            "99.9 %",
+            "greatest",
+            "judged",
+            "the case of the greatest error",
+        ],
+        body,
+    )
 
 
 def time_error(results, folder):
     groups = {}
     for group in results["time_error"]:
         groups.setdefault((group["shape"], group["mix"]), []).append(group)
-    out = ["<h2>Time against error</h2><p>One picture a mix. Wrong are decisions that the exact oracle contradicts in any way, but for what a "
-           "kernel declares to do otherwise (coplanar rays as misses, say). Errors of t are held against the exact real value, in units of the "
-           "last place of the answer's format; a correctly rounded t errs by half a unit at most.</p>"]
+    out = [
+        "<h2>Time against error</h2><p>One picture a mix. Wrong are decisions that the exact oracle contradicts in any way, but for what a "
+        "kernel declares to do otherwise (coplanar rays as misses, say). Errors of t are held against the exact real value, in units of the "
+        "last place of the answer's format; a correctly rounded t errs by half a unit at most.</p>"
+    ]
     for (shape, mix), pair in groups.items():
         out.append(f"<h3>{escape(shape.capitalize())}s, {escape(pair[0]['title'])}</h3>")
         out.append(picture(folder, f"pareto-{shape}-{mix}", f"time against error, {shape}s, {mix}"))
@@ -91,9 +116,11 @@ def time_error(results, folder):
 
 
 def stability(results, folder):
-    out = ["<h2>Stability sweeps</h2><p>One condition a picture, from benign to hopeless. Each line is the greatest error that was found of an "
-           "answer of the right kind: among random inputs, and then by hill climbing on the numbers that the input was made of, for each kernel by "
-           "itself. Below, how many of the random inputs were answered wrongly.</p>"]
+    out = [
+        "<h2>Stability sweeps</h2><p>One condition a picture, from benign to hopeless. Each line is the greatest error that was found of an "
+        "answer of the right kind: among random inputs, and then by hill climbing on the numbers that the input was made of, for each kernel by "
+        "itself. Below, how many of the random inputs were answered wrongly.</p>"
+    ]
     for sweep in results.get("stability", []):
         out.append(f"<h3>{escape(sweep['title'])}</h3>" + picture(folder, f"sweep-{sweep['name']}", sweep["title"]))
         body = []
@@ -102,9 +129,24 @@ def stability(results, folder):
             if not found:
                 continue
             worst = max(found, key=lambda p: float(p["hunted_ulps"]))
-            body.append(("ours" if line["ours"] else "", [line["name"], str(worst["level"]), ulps(worst["max_ulps"]), ulps(worst["hunted_ulps"]),
-                                                       (worst["worst_case"], "case")]))
-        out.append(details("the worst case of each kernel", table(["kernel", "level", "greatest of random, ulps", "after the hunt", "the case"], body)))
+            body.append(
+                (
+                    "ours" if line["ours"] else "",
+                    [
+                        line["name"],
+                        str(worst["level"]),
+                        ulps(worst["max_ulps"]),
+                        ulps(worst["hunted_ulps"]),
+                        (worst["worst_case"], "case"),
+                    ],
+                )
+            )
+        out.append(
+            details(
+                "the worst case of each kernel",
+                table(["kernel", "level", "greatest of random, ulps", "after the hunt", "the case"], body),
+            )
+        )
     return "".join(out)
 
 
@@ -112,12 +154,21 @@ def stage_costs(results):
     """(what, ns) from the timed and counted shares."""
     out = []
     for shape in ("triangle", "sphere"):
-        groups = {g["percent"]: {e["name"]: median(e["rounds"]) for e in g["entries"]} for g in results["certainty"]
-                  if g["shape"] == shape and g["mix"] == "degenerate"}
+        groups = {
+            g["percent"]: {e["name"]: median(e["rounds"]) for e in g["entries"]}
+            for g in results["certainty"]
+            if g["shape"] == shape and g["mix"] == "degenerate"
+        }
         filter_ns, answer_ns = groups[0]["graze-hits"], groups[0]["graze-intersect"]
-        out += [(f"{shape}: filter alone (hits, nothing degenerate)", filter_ns), (f"{shape}: rounding (what intersect adds to that)", answer_ns - filter_ns),
-                (f"{shape}: exact stage, decision (hits, all degenerate, less the filter)", groups[100]["graze-hits"] - filter_ns),
-                (f"{shape}: exact stage, numbers (intersect, all degenerate, less the filter)", groups[100]["graze-intersect"] - filter_ns)]
+        out += [
+            (f"{shape}: filter alone (hits, nothing degenerate)", filter_ns),
+            (f"{shape}: rounding (what intersect adds to that)", answer_ns - filter_ns),
+            (f"{shape}: exact stage, decision (hits, all degenerate, less the filter)", groups[100]["graze-hits"] - filter_ns),
+            (
+                f"{shape}: exact stage, numbers (intersect, all degenerate, less the filter)",
+                groups[100]["graze-intersect"] - filter_ns,
+            ),
+        ]
     ties = [g for g in results["certainty"] if g["mix"] == "ties"]
     counted = [g for g in results["stages"] if g["mix"] == "ties"]
     if ties and counted:
@@ -130,9 +181,11 @@ def stage_costs(results):
 def certainty(results, folder):
     if "certainty" not in results or "stages" not in results:
         return ""
-    out = ["<h2>The cost of certainty</h2><p>Every query runs the filter. What it leaves in doubt goes to the exact stage; hits that it "
-           "settles are rounded from double-double, and, where that is in doubt, by the exact stage; an exact value that its 64 leading bits do not tell from a "
-           "midpoint takes the midpoint test. Counted by the compiler's hooks at every function, in a program that is not timed.</p>"]
+    out = [
+        "<h2>The cost of certainty</h2><p>Every query runs the filter. What it leaves in doubt goes to the exact stage; hits that it "
+        "settles are rounded from double-double, and, where that is in doubt, by the exact stage; an exact value that its 64 leading bits do not tell from a "
+        "midpoint takes the midpoint test. Counted by the compiler's hooks at every function, in a program that is not timed.</p>"
+    ]
     for shape in ("triangle", "sphere"):
         out.append(picture(folder, f"certainty-{shape}", f"cost of certainty, {shape}"))
     out.append(table(["stage", "ns"], [("", [what, f"{ns:.1f}"]) for what, ns in stage_costs(results)]))
@@ -143,13 +196,28 @@ def floor(results, folder):
     if "floor" not in results:
         return ""
     peaks = results["floor"]["peaks"]
-    body = [("", [f"{l['shape']} {l['name']}", l["format"], f"{l['operations']:.0f}", f"{l['bytes']:.0f}", f"{l['floor_ns']:.2f}", f"{median(l['rounds']):.2f}",
-                  f"{100 * l['floor_ns'] / median(l['rounds']):.0f} %"]) for l in results["floor"]["loops"]]
-    return ("<h2>The floor</h2><p>What the operations of the filter (a multiply-add is two) and the bytes that it reads take at the machine's peaks, "
-            f"measured in the same run: {peaks['double_operations_a_ns']:.0f} operations a ns in double, {peaks['float_operations_a_ns']:.0f} in float, "
-            f"{peaks['bytes_a_ns']:.0f} bytes a ns ({escape(peaks['vectors'])}). A single query fills two lanes of a vector, so a share of one is out of its reach.</p>"
-            + picture(folder, "floor", "hot loops above their floor")
-            + table(["loop", "format", "operations", "bytes", "floor, ns", "ns", "share of the floor"], body))
+    body = [
+        (
+            "",
+            [
+                f"{l['shape']} {l['name']}",
+                l["format"],
+                f"{l['operations']:.0f}",
+                f"{l['bytes']:.0f}",
+                f"{l['floor_ns']:.2f}",
+                f"{median(l['rounds']):.2f}",
+                f"{100 * l['floor_ns'] / median(l['rounds']):.0f} %",
+            ],
+        )
+        for l in results["floor"]["loops"]
+    ]
+    return (
+        "<h2>The floor</h2><p>What the operations of the filter (a multiply-add is two) and the bytes that it reads take at the machine's peaks, "
+        f"measured in the same run: {peaks['double_operations_a_ns']:.0f} operations a ns in double, {peaks['float_operations_a_ns']:.0f} in float, "
+        f"{peaks['bytes_a_ns']:.0f} bytes a ns ({escape(peaks['vectors'])}). A single query fills two lanes of a vector, so a share of one is out of its reach.</p>"
+        + picture(folder, "floor", "hot loops above their floor")
+        + table(["loop", "format", "operations", "bytes", "floor, ns", "ns", "share of the floor"], body)
+    )
 
 
 def scenes(scene_rows, folder):
@@ -159,18 +227,38 @@ def scenes(scene_rows, folder):
     for row in scene_rows:
         rays = f"{1000 / row['value']:.2f}" if row["unit"] == "ns a ray" else ""
         ratio = f"{row['ratio']:.2f} × {row['to']}" if "to" in row else ""
-        body.append(("ours" if row["contender"].startswith("graze") else "", [
-            row["section"], row["scene"], row["what"], row["contender"], f"{row['triangles']:,}", f"{row['value']:.4g} {row['unit']}", rays, ratio]))
-    return ("<h2>Scenes</h2><p>Whole scenes beside Embree and CGAL's AABB tree, on the same rays, interleaved; and against the number of triangles.</p>"
-            + picture(folder, "scenes", "time a ray against the number of triangles")
-            + details("all figures", table(["part", "scene", "measured", "kernel", "triangles", "value", "Mrays/s", "as good as"], body, names=4)))
+        body.append(
+            (
+                "ours" if row["contender"].startswith("graze") else "",
+                [
+                    row["section"],
+                    row["scene"],
+                    row["what"],
+                    row["contender"],
+                    f"{row['triangles']:,}",
+                    f"{row['value']:.4g} {row['unit']}",
+                    rays,
+                    ratio,
+                ],
+            )
+        )
+    return (
+        "<h2>Scenes</h2><p>Whole scenes beside Embree and CGAL's AABB tree, on the same rays, interleaved; and against the number of triangles.</p>"
+        + picture(folder, "scenes", "time a ray against the number of triangles")
+        + details(
+            "all figures",
+            table(["part", "scene", "measured", "kernel", "triangles", "value", "Mrays/s", "as good as"], body, names=4),
+        )
+    )
 
 
 def html(results, scene_rows, folder):
     machine = results["machine"]
     caches = ", ".join(f"L{c['level']} {c['type'][0].lower()} {c['bytes'] // 1024} KiB" for c in machine["caches"])
-    facts = (f"{machine['processor']}, {machine['cores']} cores ({caches}); {results['compiler']}, {results['flags']}; {results['date']}; seed "
-             f"{results['seed']}; medians of {results['repetitions']} repetitions, randomly interleaved, processor time of one thread")
+    facts = (
+        f"{machine['processor']}, {machine['cores']} cores ({caches}); {results['compiler']}, {results['flags']}; {results['date']}; seed "
+        f"{results['seed']}; medians of {results['repetitions']} repetitions, randomly interleaved, processor time of one thread"
+    )
     plan = results["plan"]
     return f"""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">

@@ -26,11 +26,20 @@ def rows(results):
     out = []
     for group in results["time_error"]:
         row = {"shape": group["shape"], "mix": group["mix"], "title": group["title"], "format": group["format"]}
-        for task, ours, batch in (("decision", "graze-hits", "graze-batch-hits"), ("numbers", "graze-intersect", "graze-batch-intersect")):
+        for task, ours, batch in (
+            ("decision", "graze-hits", "graze-batch-hits"),
+            ("numbers", "graze-intersect", "graze-batch-intersect"),
+        ):
             all_times = times(group, task)
             peer, peer_time = fastest_inexact(group, task)
-            cell = {"peer": peer, "peer_ns": peer_time, "ns": all_times[ours], "batch_ns": all_times[batch],
-                    "peer_errors": entry(group, peer)["errors"], "errors": entry(group, ours)["errors"]}
+            cell = {
+                "peer": peer,
+                "peer_ns": peer_time,
+                "ns": all_times[ours],
+                "batch_ns": all_times[batch],
+                "peer_errors": entry(group, peer)["errors"],
+                "errors": entry(group, ours)["errors"],
+            }
             for kernel in ("epick", "epeck"):
                 cell[kernel + "_ns"] = all_times.get(f"cgal-{kernel}-hits" if task == "decision" else f"cgal-{kernel}")
             row[task] = cell
@@ -62,15 +71,31 @@ def ulps(text):
 
 def markdown(results, form="double"):
     """The summary table, as the documents show it."""
-    lines = ["| queries | mix | fastest inexact decision | graze `hits` | | EPICK | fastest inexact answer | graze `intersect` | | wrong, worst t of the inexact |",
-             "|---|---|---|---|---|---|---|---|---|---|"]
+    lines = [
+        "| queries | mix | fastest inexact decision | graze `hits` | | EPICK | fastest inexact answer | graze `intersect` | | wrong, worst t of the inexact |",
+        "|---|---|---|---|---|---|---|---|---|---|",
+    ]
     for row in rows(results):
         if row["format"] != form:
             continue
         d, n = row["decision"], row["numbers"]
         errors = n["peer_errors"]
-        lines.append("| " + " | ".join([
-            row["shape"] + "s", row["mix"], nanoseconds(d["peer_ns"]), nanoseconds(d["ns"]), times_ratio(d["ns"], d["peer_ns"]),
-            nanoseconds(d["epick_ns"]), nanoseconds(n["peer_ns"]), nanoseconds(n["ns"]), times_ratio(n["ns"], n["peer_ns"]),
-            f"{share(errors['wrong'], errors['queries'])}, {ulps(errors['max_ulps']) if errors['values'] else '–'} ulps"]) + " |")
+        lines.append(
+            "| "
+            + " | ".join(
+                [
+                    row["shape"] + "s",
+                    row["mix"],
+                    nanoseconds(d["peer_ns"]),
+                    nanoseconds(d["ns"]),
+                    times_ratio(d["ns"], d["peer_ns"]),
+                    nanoseconds(d["epick_ns"]),
+                    nanoseconds(n["peer_ns"]),
+                    nanoseconds(n["ns"]),
+                    times_ratio(n["ns"], n["peer_ns"]),
+                    f"{share(errors['wrong'], errors['queries'])}, {ulps(errors['max_ulps']) if errors['values'] else '–'} ulps",
+                ]
+            )
+            + " |"
+        )
     return "\n".join(lines)

@@ -4,8 +4,12 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from rounds import median
 from .style import BLACK, BLUE, GREEN, GREY, RED, pyplot, save, style
 
-STAGES = [("exact", "exact stage", RED, "s", "-"), ("rounding", "rounding in double-double", BLUE, "o", "-"),
-          ("refined", "discriminant refined", GREEN, "^", (0, (3, 1.5))), ("midpoint", "midpoint test", BLACK, "D", (0, (1, 1.5)))]
+STAGES = [
+    ("exact", "exact stage", RED, "s", "-"),
+    ("rounding", "rounding in double-double", BLUE, "o", "-"),
+    ("refined", "discriminant refined", GREEN, "^", (0, (3, 1.5))),
+    ("midpoint", "midpoint test", BLACK, "D", (0, (1, 1.5))),
+]
 
 
 def times(axes, groups):
@@ -18,7 +22,9 @@ def times(axes, groups):
         look = style(label)
         if name == "graze-hits":
             look["linestyle"] = (0, (4, 2))
-        axes.plot([x for x, _ in points], [y for _, y in points], label=label + (" hits" if name == "cgal-epick-hits" else ""), **look)
+        axes.plot(
+            [x for x, _ in points], [y for _, y in points], label=label + (" hits" if name == "cgal-epick-hits" else ""), **look
+        )
     axes.set_xlabel("share of degenerate input (%)")
     axes.set_ylabel("processor time a query (ns)")
     axes.yaxis.set_major_formatter(FuncFormatter(lambda ns, _: f"{ns:g}"))
@@ -33,8 +39,16 @@ def stages(axes, groups):
         if key == "refined" and groups[0]["shape"] == "triangle":
             continue
         # The exact stage rounds up to three numbers: a midpoint test counts once for each.
-        axes.plot([g["percent"] for g in groups], [100 * g["intersect"][key] / g["intersect"]["queries"] for g in groups],
-                  label=label, color=colour, marker=marker, linestyle=line, linewidth=1.4, markersize=5)
+        axes.plot(
+            [g["percent"] for g in groups],
+            [100 * g["intersect"][key] / g["intersect"]["queries"] for g in groups],
+            label=label,
+            color=colour,
+            marker=marker,
+            linestyle=line,
+            linewidth=1.4,
+            markersize=5,
+        )
     axes.plot([0, 100], [100, 100], color=GREY, linewidth=1, label="filter")
     axes.set_xlabel("share of degenerate input (%)")
     axes.set_ylabel("runs of a stage per 100 queries")

@@ -11,8 +11,13 @@ def draw(floor, folder):
         took = median(loop["rounds"])
         axes.barh(i, took, color=BLUE, height=0.62)
         axes.barh(i, loop["floor_ns"], color="white", edgecolor=GREY, hatch="////", height=0.62, linewidth=0.8)
-        axes.text(took, i, f"  {took:.1f} ns, the floor {loop['floor_ns']:.2f} ns: {100 * loop['floor_ns'] / took:.0f} %", va="center",
-                  fontsize=8)
+        axes.text(
+            took,
+            i,
+            f"  {took:.1f} ns, the floor {loop['floor_ns']:.2f} ns: {100 * loop['floor_ns'] / took:.0f} %",
+            va="center",
+            fontsize=8,
+        )
     axes.set_yticks(range(len(loops)))
     axes.set_yticklabels([f"{loop['shape']} {loop['name']}, {loop['format']}" for loop in reversed(loops)])
     axes.set_xlabel("processor time a decision (ns); hatched: its operations or bytes at the measured peak")

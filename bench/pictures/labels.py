@@ -17,8 +17,17 @@ def place(axes, points, obstacles=()):
     taken = [Bbox.from_extents(x - 5 * scale, y - 5 * scale, x + 5 * scale, y + 5 * scale) for x, y in dots]
     taken += [text.get_window_extent(renderer) for text in obstacles]
     for (x, y, text, colour), dot in sorted(zip(points, dots), key=lambda p: (p[1][0], p[1][1])):
-        label = axes.text(x, y, text, color=colour, fontsize=8, va="center", ha="left", zorder=6,
-                          bbox={"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
+        label = axes.text(
+            x,
+            y,
+            text,
+            color=colour,
+            fontsize=8,
+            va="center",
+            ha="left",
+            zorder=6,
+            bbox={"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+        )
         size = label.get_window_extent(renderer)  # of the text alone
         best = None
         for distance in DISTANCES:

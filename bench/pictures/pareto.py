@@ -8,7 +8,7 @@ from . import labels
 from .style import BLACK, GREY, pyplot, save, style, text_colour
 
 # A unit in the last place of float is this many of double.
-FLOAT_ULP = 2.0 ** 29
+FLOAT_ULP = 2.0**29
 LEAST_ULPS, MOST_ULPS = 0.2, 1e22
 
 
@@ -52,8 +52,16 @@ def time_axis(axes, times):
 
 def plot_point(axes, x, entry, is_float):
     look = style(entry["label"])
-    axes.plot([x], [median(entry["rounds"])], marker=look["marker"], color=look["color"], linestyle="none", zorder=5,
-              markersize=11 if look["marker"] == "*" else 7, markerfacecolor="white" if is_float else look["color"])
+    axes.plot(
+        [x],
+        [median(entry["rounds"])],
+        marker=look["marker"],
+        color=look["color"],
+        linestyle="none",
+        zorder=5,
+        markersize=11 if look["marker"] == "*" else 7,
+        markerfacecolor="white" if is_float else look["color"],
+    )
 
 
 def name(entry, is_float):
@@ -68,11 +76,12 @@ def decisions(axes, entries):
 
     def place(entry):
         return entry["errors"]["wrong"] / entry["errors"]["queries"] or none
+
     axes.set_xscale("log")
     axes.set_xlim(none / 3, 3)
     time_axis(axes, [median(e["rounds"]) for e, _ in entries])
     axes.axvspan(none / 3, none * 3, color="#F2F2F2", zorder=0)
-    ticks = [none] + [10.0 ** k for k in range(math.ceil(math.log10(least)), 1)]
+    ticks = [none] + [10.0**k for k in range(math.ceil(math.log10(least)), 1)]
     axes.set_xticks(ticks)
     axes.set_xticklabels(["none"] + [f"{100 * t:g} %" for t in ticks[1:]])
     axes.xaxis.set_minor_formatter(NullFormatter())
@@ -90,6 +99,7 @@ def numbers(axes, entries):
     def ulps(entry, is_float, key):
         unit = FLOAT_ULP if is_float else 1
         return min(max(float(entry["errors"][key]) * unit, LEAST_ULPS * 1.5), MOST_ULPS)
+
     worst = max(ulps(e, f, "max_ulps") for e, f in entries)
     axes.set_xscale("log")
     axes.set_xlim(LEAST_ULPS, worst * 3000)
@@ -101,15 +111,24 @@ def numbers(axes, entries):
         axes.axvline(at, color=BLACK, linewidth=0.8, linestyle=(0, (1, 2)), zorder=1)
         halves.append(axes.text(at * 1.15, axes.get_ylim()[1] * 0.97, f"½ ulp of {what}", fontsize=7, color=BLACK, va="top"))
     for entry, is_float in entries:
-        axes.plot([ulps(entry, is_float, "median_ulps"), ulps(entry, is_float, "max_ulps")], [median(entry["rounds"])] * 2,
-                  color=style(entry["label"])["color"], linewidth=0.9, alpha=0.55, zorder=2)
+        axes.plot(
+            [ulps(entry, is_float, "median_ulps"), ulps(entry, is_float, "max_ulps")],
+            [median(entry["rounds"])] * 2,
+            color=style(entry["label"])["color"],
+            linewidth=0.9,
+            alpha=0.55,
+            zorder=2,
+        )
         plot_point(axes, ulps(entry, is_float, "p999_ulps"), entry, is_float)
     draw_front(axes, [(ulps(e, f, "p999_ulps"), median(e["rounds"])) for e, f in entries if not f])
 
     def text(entry, is_float):
         errors = entry["errors"]
         return name(entry, is_float) + (f", {share(errors['wrong'], errors['queries'])} wrong" if errors["wrong"] else "")
-    labels.place(axes, [(ulps(e, f, "p999_ulps"), median(e["rounds"]), text(e, f), text_colour(e["label"])) for e, f in entries], halves)
+
+    labels.place(
+        axes, [(ulps(e, f, "p999_ulps"), median(e["rounds"]), text(e, f), text_colour(e["label"])) for e, f in entries], halves
+    )
 
 
 def draw(groups, folder):
@@ -120,9 +139,14 @@ def draw(groups, folder):
     figure.suptitle(f"Ray and {shape}, {title}", x=0.01, ha="left", fontsize=12)
     # Before labels are placed: they are fitted to the axes as they are.
     figure.subplots_adjust(left=0.058, right=0.992, bottom=0.125, top=0.89, wspace=0.15)
-    figure.text(0.01, 0.012, "lower left is better; dashed: the front, of double; filled: double, open: float, on the input rounded "
-                "to float; wrong: kinds, features, sides or roots, but for what a kernel declares to do otherwise", fontsize=7.5,
-                color="#555555")
+    figure.text(
+        0.01,
+        0.012,
+        "lower left is better; dashed: the front, of double; filled: double, open: float, on the input rounded "
+        "to float; wrong: kinds, features, sides or roots, but for what a kernel declares to do otherwise",
+        fontsize=7.5,
+        color="#555555",
+    )
     decisions(left, entries)
     numbers(right, entries)
     result = f"pareto-{shape}-{groups[0]['mix']}"

@@ -5,9 +5,14 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from .style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, pyplot, save
 
-LOOKS = {"graze float": (BLUE, "*", "-", 2.4), "graze double": (SKY, "P", "-", 1.6), "Embree robust": (RED, "s", (0, (4, 2)), 1.4),
-         "Embree": (ORANGE, "o", "-", 1.4), "Embree packets": (GREEN, "^", (0, (1, 1.5)), 1.4),
-         "Embree stream": (GREY, "D", (0, (5, 2, 1, 2)), 1.4)}
+LOOKS = {
+    "graze float": (BLUE, "*", "-", 2.4),
+    "graze double": (SKY, "P", "-", 1.6),
+    "Embree robust": (RED, "s", (0, (4, 2)), 1.4),
+    "Embree": (ORANGE, "o", "-", 1.4),
+    "Embree packets": (GREEN, "^", (0, (1, 1.5)), 1.4),
+    "Embree stream": (GREY, "D", (0, (5, 2, 1, 2)), 1.4),
+}
 OTHERS = [(BLACK, "p", (0, (2, 2)), 1.4), (PURPLE, "h", (0, (6, 2)), 1.4), (BLACK, "X", "-", 1.0)]
 MIXES = ("camera", "incoherent", "occlusion")
 
@@ -39,8 +44,16 @@ def draw(rows, folder):
             if contender not in looks:
                 looks[contender] = others.pop(0)
             colour, marker, dashes, width = looks[contender]
-            axes.plot([x for x, _ in points], [y for _, y in points], label=contender, color=colour, marker=marker, linestyle=dashes,
-                      linewidth=width, markersize=5)
+            axes.plot(
+                [x for x, _ in points],
+                [y for _, y in points],
+                label=contender,
+                color=colour,
+                marker=marker,
+                linestyle=dashes,
+                linewidth=width,
+                markersize=5,
+            )
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.set_title(mix + " rays")

@@ -24,14 +24,22 @@ def draw(sweep, folder):
         ours = {"zorder": 5, "markersize": 7} if line["ours"] else {"zorder": 3, "markersize": 4.5}
         every = max(1, len(levels) // 9)
         top.plot(at, worst, label=line["label"], markevery=(number % every, every), **look, **ours)
-        bottom.plot(levels, [100 * p["wrong"] / sweep["queries"] for p in line["points"]], markevery=(number % every, every),
-                    **look, **ours)
+        bottom.plot(
+            levels, [100 * p["wrong"] / sweep["queries"] for p in line["points"]], markevery=(number % every, every), **look, **ours
+        )
     if sweep["slope"]:
         first, last = levels[0], levels[-1]
         limit = max(seen)
         xs = [k for k in range(first, last + 1) if 2.0 ** (sweep["slope"] * k) <= limit]
-        top.plot(xs, [2.0 ** (sweep["slope"] * k) for k in xs], color=BLACK, linewidth=1, linestyle=(0, (1, 2)),
-                 label=f"theory: slope {'1' if sweep['slope'] == 1 else '½'}", zorder=2)
+        top.plot(
+            xs,
+            [2.0 ** (sweep["slope"] * k) for k in xs],
+            color=BLACK,
+            linewidth=1,
+            linestyle=(0, (1, 2)),
+            label=f"theory: slope {'1' if sweep['slope'] == 1 else '½'}",
+            zorder=2,
+        )
     top.axhline(0.5, color=GREY, linewidth=0.8, zorder=1)
     top.text(levels[0], 0.42, "½ ulp: correctly rounded", fontsize=7, va="top", color="#555555")
     top.set_ylim(LEAST_ULPS, max(seen) * 20)
@@ -45,8 +53,14 @@ def draw(sweep, folder):
     figure.tight_layout(rect=(0, 0.02, 0.8, 0.97))
     clipped = "; errors beyond 10³² are drawn there" if max(seen) >= MOST_ULPS else ""
     theory = f"; dotted: {sweep['theory']}" if sweep["slope"] else ""
-    figure.text(0.01, 0.006, f"{sweep['queries']} random inputs a level, then hill climbing for each kernel; of answers of the right "
-                f"kind{clipped}{theory}", fontsize=7.5, color="#555555")
+    figure.text(
+        0.01,
+        0.006,
+        f"{sweep['queries']} random inputs a level, then hill climbing for each kernel; of answers of the right "
+        f"kind{clipped}{theory}",
+        fontsize=7.5,
+        color="#555555",
+    )
     name = f"sweep-{sweep['name']}"
     save(figure, folder, name)
     return name

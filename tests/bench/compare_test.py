@@ -37,8 +37,14 @@ def run(source, slowed=1.0, repetitions=11):
     entries = []
     for i in range(12):
         ns = machine * (10 + 17 * i) * (slowed if i == 0 else 1)
-        entries.append({"name": f"entry-{i}", "ours": i < 6, "rounds": noisy(source, ns, repetitions),
-                        "errors": {"queries": 100, "wrong": 0, "values": 50, "correct": 50 if i < 6 else 20}})
+        entries.append(
+            {
+                "name": f"entry-{i}",
+                "ours": i < 6,
+                "rounds": noisy(source, ns, repetitions),
+                "errors": {"queries": 100, "wrong": 0, "values": 50, "correct": 50 if i < 6 else 20},
+            }
+        )
     return {"time_error": [{"shape": "sphere", "format": "double", "mix": "made-up", "entries": entries}]}
 
 
@@ -80,8 +86,12 @@ def main():
         wrong = copy.deepcopy(old)
         wrong["time_error"][0]["entries"][3]["errors"]["wrong"] = 1
         result = compare(folder, old, wrong)
-        check(result.returncode == 1 and "WRONGER  graze  sphere double made-up entry-3" in result.stdout, "a wrong decision is told")
-        missing = subprocess.run([sys.executable, COMPARE, os.path.join(folder, "none"), COMPARE], capture_output=True, text=True, check=False)
+        check(
+            result.returncode == 1 and "WRONGER  graze  sphere double made-up entry-3" in result.stdout, "a wrong decision is told"
+        )
+        missing = subprocess.run(
+            [sys.executable, COMPARE, os.path.join(folder, "none"), COMPARE], capture_output=True, text=True, check=False
+        )
         check(missing.returncode == 2 and "cannot be read" in missing.stderr, "a missing file is refused")
         strange = subprocess.run([sys.executable, COMPARE, COMPARE, COMPARE], capture_output=True, text=True, check=False)
         check(strange.returncode == 2 and "is no result" in strange.stderr, "a strange file is refused")
