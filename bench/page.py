@@ -252,7 +252,16 @@ def scenes(scene_rows, folder):
     )
 
 
-def html(results, scene_rows, folder):
+def batch_lines(text):
+    if not text:
+        return ""
+    return (
+        "<h2>Batches</h2><p>One ray against arrays, for each instruction set, beside scalar loops and what the compiler makes of "
+        f"branch-free formulas.</p>{details('all figures', f'<pre>{escape(text)}</pre>')}"
+    )
+
+
+def html(results, scene_rows, batches, folder):
     machine = results["machine"]
     caches = ", ".join(f"L{c['level']} {c['type'][0].lower()} {c['bytes'] // 1024} KiB" for c in machine["caches"])
     facts = (
@@ -273,6 +282,7 @@ def html(results, scene_rows, folder):
 {certainty(results, folder)}
 {floor(results, folder)}
 {scenes(scene_rows, folder)}
+{batch_lines(batches)}
 <h2>To repeat</h2>
 <pre>./dev bench {escape(plan)}
 bench/compare OLD/results.json NEW/results.json   # what got slower, or wronger
