@@ -52,10 +52,7 @@ HWY_INLINE void walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
         const Child child_one = node.children[one], child_other = node.children[other];
         const bool is_swapped = at_other < at_one;
         *top++ = {is_swapped ? child_one : child_other, is_swapped ? at_one : at_other};
-<<<<<<< HEAD
-=======
         fetch(query.data, top[-1].child);
->>>>>>> scene
         next = is_swapped ? child_other : child_one;
         continue;
       }
