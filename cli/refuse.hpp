@@ -15,4 +15,9 @@ inline int refuse(const std::string& message) {
   return exit_bad_input;
 }
 
+/// The same where no file is at fault.
+inline int refuse_by_name(const std::string& message) {
+  return refuse("graze: " + message);
+}
+
 }  // namespace graze::cli
