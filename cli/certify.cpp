@@ -15,6 +15,7 @@
 #include "cli/exit_status.hpp"
 #include "cli/kernels.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/refuse.hpp"
 #include "cli/report_file.hpp"
 #include "fuzz/report/merge.hpp"
 #include "fuzz/report/numbers.hpp"

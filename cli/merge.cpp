@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/exit_status.hpp"
+#include "cli/refuse.hpp"
 #include "cli/report_file.hpp"
 #include "fuzz/report/merge.hpp"
 #include "fuzz/report/text.hpp"
