@@ -8,6 +8,7 @@
 #include "cli/exit_status.hpp"
 #include "cli/kernels.hpp"
 #include "cli/line_source.hpp"
+#include "cli/refuse.hpp"
 #include "fuzz/case_text.hpp"
 #include "fuzz/subject.hpp"
 

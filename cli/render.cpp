@@ -11,6 +11,7 @@
 #include "cli/picture.hpp"
 #include "cli/primitives.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/refuse.hpp"
 #include "cli/report_file.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/second_kernel.hpp"

@@ -8,6 +8,7 @@
 
 #include "cli/exit_status.hpp"
 #include "cli/line_source.hpp"
+#include "cli/refuse.hpp"
 #include "cli/scene_files.hpp"
 #include "fuzz/answer_names.hpp"
 #include "fuzz/case_text.hpp"

@@ -89,7 +89,10 @@ SceneTruth<T> scene_truth(const SceneDraft<T>& scene, const Ray<T>& ray, const Q
       hits.push_back({{Status::ok, Shape::sphere, i, {}, answer}, oracle.truth(ray, primitive.sphere).t[0]});
     }
   }
-  std::stable_sort(hits.begin(), hits.end(), [](const Hit<T>& a, const Hit<T>& b) { return compare(a.t, b.t) < 0; });
+  std::sort(hits.begin(), hits.end(), [](const Hit<T>& a, const Hit<T>& b) {
+    const int order = compare(a.t, b.t);
+    return order != 0 ? order < 0 : a.answer.index < b.answer.index;
+  });
   SceneTruth<T> truth;
   for (const Hit<T>& hit : hits) {
     if (compare(hit.t, hits.front().t) == 0) ++truth.ties;
