@@ -1,4 +1,5 @@
-// benchmarks [quick|full] [--only PART]... [--stages FILE] [-o FILE]: all measurements as one JSON document. Progress goes to standard error.
+// benchmarks [quick|full] [--only PART]... [--stages FILE] [-o FILE]: all measurements as one JSON document. Progress goes to
+// standard error.
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>

@@ -117,8 +117,8 @@ def time_error(results, folder):
 
 def stability(results, folder):
     out = [
-        "<h2>Stability sweeps</h2><p>One condition a picture, from benign to hopeless. Each line is the greatest error that was found of an "
-        "answer of the right kind: among random inputs, and then by hill climbing on the numbers that the input was made of, for each kernel by "
+        "<h2>Stability sweeps</h2><p>One condition a picture, from benign to hopeless. Each line is the greatest error of an answer of the "
+        "right kind among random inputs; the points are what hill climbing on the numbers that the input was made of found, for each kernel by "
         "itself. Below, how many of the random inputs were answered wrongly.</p>"
     ]
     for sweep in results.get("stability", []):

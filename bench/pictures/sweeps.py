@@ -18,12 +18,16 @@ def draw(sweep, folder):
     seen = [0.5]
     for number, line in enumerate(sweep["lines"]):
         look = style(line["label"])
-        at = [p["level"] for p in line["points"] if "hunted_ulps" in p]
-        worst = [min(max(float(p["hunted_ulps"]), LEAST_ULPS * 1.5), MOST_ULPS) for p in line["points"] if "hunted_ulps" in p]
-        seen += worst
+        found = [p for p in line["points"] if "hunted_ulps" in p]
+        at = [p["level"] for p in found]
+        worst, hunted = (
+            [min(max(float(p[key]), LEAST_ULPS * 1.5), MOST_ULPS) for p in found] for key in ("max_ulps", "hunted_ulps")
+        )
+        seen += hunted
         ours = {"zorder": 5, "markersize": 7} if line["ours"] else {"zorder": 3, "markersize": 4.5}
         every = max(1, len(levels) // 9)
         top.plot(at, worst, label=line["label"], markevery=(number % every, every), **look, **ours)
+        top.plot(at, hunted, color=look["color"], marker=".", markersize=3.5, linestyle="none", alpha=0.6, zorder=2)
         bottom.plot(
             levels, [100 * p["wrong"] / sweep["queries"] for p in line["points"]], markevery=(number % every, every), **look, **ours
         )
@@ -40,8 +44,7 @@ def draw(sweep, folder):
             label=f"theory: slope {'1' if sweep['slope'] == 1 else '½'}",
             zorder=2,
         )
-    top.axhline(0.5, color=GREY, linewidth=0.8, zorder=1)
-    top.text(levels[0], 0.42, "½ ulp: correctly rounded", fontsize=7, va="top", color="#555555")
+    top.axhline(0.5, color=GREY, linewidth=0.8, zorder=1, label="½ ulp")
     top.set_ylim(LEAST_ULPS, max(seen) * 20)
     top.set_ylabel("greatest error of t, u, v found (ulps of double)")
     bottom.set_ylabel("wrong answers (%)")
@@ -50,13 +53,13 @@ def draw(sweep, folder):
     bottom.xaxis.set_major_formatter(FuncFormatter(power))
     handles, names = top.get_legend_handles_labels()
     figure.legend(handles, names, loc="center left", bbox_to_anchor=(0.8, 0.55), frameon=False, handlelength=3.6)
-    figure.tight_layout(rect=(0, 0.02, 0.8, 0.97))
+    figure.tight_layout(rect=(0, 0.035, 0.8, 0.97))
     clipped = "; errors beyond 10³² are drawn there" if max(seen) >= MOST_ULPS else ""
-    theory = f"; dotted: {sweep['theory']}" if sweep["slope"] else ""
+    theory = f"\ndotted: {sweep['theory']}" if sweep["slope"] else ""
     figure.text(
         0.01,
         0.006,
-        f"{sweep['queries']} random inputs a level, then hill climbing for each kernel; of answers of the right "
+        f"{sweep['queries']} random inputs a level; points: after hill climbing, for each kernel by itself; of answers of the right "
         f"kind{clipped}{theory}",
         fontsize=7.5,
         color="#555555",
