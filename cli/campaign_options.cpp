@@ -3,10 +3,12 @@
 #include <utility>
 #include <variant>
 
+#include "cli/positive.hpp"
+
 namespace graze::cli {
 
 void add_options(CLI::App& command, CampaignOptions& options) {
-  command.add_option("--cases", options.cases, "cases a family and precision (default 10000)")->check(CLI::PositiveNumber);
+  command.add_option("--cases", options.cases, "cases a family and precision (default 10000)")->check(positive);
   command.add_option("--seed", options.seed, "of the families' streams (default 1)");
   command.add_option("--families", options.families, "only these, comma-separated (default all)")->delimiter(',');
   command.add_option("--mesh", options.meshes,

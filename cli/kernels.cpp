@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/positive.hpp"
 #include "fuzz/in_float_mode.hpp"
 
 namespace graze::cli {
@@ -14,7 +15,7 @@ CLI::Option* add_kernel_options(CLI::App& command, KernelOptions& options) {
   command.add_option("--declare", options.declare,
                      "what a program offers and how it deviates, comma-separated: ray_triangle,coplanar-is-miss,t-ulps=4");
   command.add_option("--time-limit", options.time_limit, "seconds in which a kernel of your own must answer (default 2)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive);
   return kernel;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/exit_status.hpp"
 #include "cli/kernels.hpp"
 #include "cli/line_source.hpp"
+#include "cli/positive.hpp"
 #include "cli/refuse.hpp"
 #include "fuzz/case_text.hpp"
 #include "fuzz/shrink/failure.hpp"
@@ -104,7 +105,7 @@ void add_shrink(CLI::App& program, int& status) {
   command->add_option("--precision", options->precision, "double (default) or float")
       ->check(CLI::IsMember({"double", "float"}));
   command->add_option("--trials", options->trials, "ask the kernel at most so often for a case (default 200000)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive);
   command->add_flag("--test", options->test, "print a Catch2 test of graze instead of the case");
   command
       ->add_option("case", options->input, "a case line in quotes, or a file of them; standard input where it is left out or -")
