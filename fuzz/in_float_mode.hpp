@@ -16,9 +16,17 @@ class InFloatMode final : public Subject {
   [[nodiscard]] FloatMode float_mode() const override { return mode_; }
   [[nodiscard]] bool is_for_all_modes() const override { return other_.is_for_all_modes(); }
   [[nodiscard]] std::string_view options() const override { return other_.options(); }
-  using Subject::answer;
   [[nodiscard]] Reply<float> answer(const Case<float>& input) const override { return in_mode(input); }
   [[nodiscard]] Reply<double> answer(const Case<double>& input) const override { return in_mode(input); }
+  // To set a mode takes as long as many a call.
+  void answer(std::span<const Case<float>> inputs, std::span<Reply<float>> replies) const override {
+    const FloatModeScope scope(mode_);
+    other_.answer(inputs, replies);
+  }
+  void answer(std::span<const Case<double>> inputs, std::span<Reply<double>> replies) const override {
+    const FloatModeScope scope(mode_);
+    other_.answer(inputs, replies);
+  }
 
  private:
   template <Real T>
