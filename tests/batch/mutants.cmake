@@ -1,16 +1,28 @@
-# Planted bugs in the batches, which batches of random length must find. Compiled for one instruction set of four lanes: the cheapest
-# that has tails.
+# Planted bugs in the batches, which batches of random length must find. Compiled for one instruction set of four lanes, the cheapest
+# that has tails; FMA: for one with multiply-adds, where this processor has them.
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   return()
 endif()
 include(${PROJECT_SOURCE_DIR}/tests/mutants/mutant.cmake)
 
+set(has_fma FALSE)
+if(EXISTS /proc/cpuinfo)
+  file(STRINGS /proc/cpuinfo has_fma REGEX "^flags.* fma .* avx2 " LIMIT_COUNT 1)
+endif()
+
 function(graze_batch_mutant name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODELS;FILE;FIND;REPLACE" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FMA" "MODELS;FILE;FIND;REPLACE" "")
+  set(instructions -msse4.2 -maes -mpclmul)
+  if(arg_FMA)
+    if(NOT has_fma)
+      return()
+    endif()
+    list(APPEND instructions -mavx2 -mfma -mbmi -mbmi2 -mf16c)
+  endif()
   set(overlay ${CMAKE_CURRENT_BINARY_DIR}/${name})
   graze_write_mutated(${name} ${arg_FILE} "${arg_FIND}" "${arg_REPLACE}" ${overlay}/${arg_FILE})
   set(sources)
-  foreach(source hits intersect nearest spheres triangles)
+  foreach(source hits intersect nearest on_lattice sheared_triangles spheres triangles unit_spheres)
     if(EXISTS ${overlay}/src/batch/${source}.cpp)
       list(APPEND sources ${overlay}/src/batch/${source}.cpp)
     else()
@@ -21,7 +33,7 @@ function(graze_batch_mutant name)
                                       ${PROJECT_SOURCE_DIR}/fuzz/random_batch.cpp ${sources})
   target_sources(mutant_batch_${name} PRIVATE ${kernel_dir}/src/exact/order.cpp)
   target_include_directories(mutant_batch_${name} PRIVATE ${overlay}/include ${overlay}/src ${kernel_includes})
-  target_compile_options(mutant_batch_${name} PRIVATE -O1 -ffp-contract=off -Wno-psabi -msse4.2 -maes -mpclmul)
+  target_compile_options(mutant_batch_${name} PRIVATE -O1 -ffp-contract=off -Wno-psabi ${instructions})
   target_compile_definitions(mutant_batch_${name} PRIVATE HWY_COMPILE_ONLY_STATIC)
   target_link_libraries(mutant_batch_${name} PRIVATE graze_case_text graze_families graze::graze hwy::hwy)
   add_test(NAME "batch: ${name} is caught" COMMAND mutant_batch_${name} 200000)
@@ -31,9 +43,9 @@ endfunction()
 graze_batch_mutant(
   lane_off_by_one
   MODELS "what was in doubt written to the next lane"
-  FILE src/batch/hits.cpp
-  FIND [[<< bit;]]
-  REPLACE [[<< (bit ^ 1);]])
+  FILE src/batch/doubts.hpp
+  FIND [[std::uint64_t(is_hit) << bit;]]
+  REPLACE [[std::uint64_t(is_hit) << (bit ^ 1);]])
 
 graze_batch_mutant(
   tail_too_short
@@ -48,6 +60,27 @@ graze_batch_mutant(
   FILE src/batch/sheared_triangles-inl.hpp
   FIND [[edge_error = 16 *]]
   REPLACE [[edge_error = T(0x1p-8) * 16 *]])
+
+graze_batch_mutant(
+  unit_sphere_constant
+  MODELS "the bound of a discriminant's error too small by 2^8"
+  FILE src/batch/unit_spheres-inl.hpp
+  FIND [[bound = 16 *]]
+  REPLACE [[bound = T(0x1p-8) * 16 *]])
+
+graze_batch_mutant(
+  lattice_without_center FMA
+  MODELS "a center that lies between the steps of the lattice"
+  FILE src/batch/on_lattice-inl.hpp
+  FIND [[positions.include(center), ]]
+  REPLACE [[]])
+
+graze_batch_mutant(
+  lattice_too_fine FMA
+  MODELS "a lattice of so many steps that products are rounded"
+  FILE src/batch/on_lattice-inl.hpp
+  FIND [[fineness = 0x1p28;]]
+  REPLACE [[fineness = 0x1p16;]])
 
 graze_batch_mutant(
   nearest_tie

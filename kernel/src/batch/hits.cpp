@@ -1,38 +1,37 @@
-// Decisions: what the lanes leave in doubt goes to the single query, lane by lane.
+// Decisions: what the lanes leave in doubt is gathered and decided after them.
 #include <algorithm>
 
-#include "batch/columns.hpp"
+#include "batch/doubts.hpp"
 #include "batch/sheared_ray.hpp"
-#include "graze/sphere.hpp"
-#include "graze/triangle.hpp"
+#include "batch/unit_ray.hpp"
 
 namespace graze::batch {
 namespace {
 
-/// The masks of the lanes from `first`, by the verdicts and, in doubt, by the single query.
-template <class Rays, class Shapes>
-void finish(const Rays& rays, const Shapes& shapes, std::size_t first, std::size_t count, const Verdicts& verdicts,
-            std::uint64_t* mask) noexcept {
-  for (std::size_t word = 0; 64 * word < count; ++word) {
-    const std::uint64_t there = present(count - 64 * word);
-    std::uint64_t hit = verdicts.hit[word] & there;
-    for_each_bit(verdicts.doubt[word] & there, [&](std::size_t bit) {
-      const std::size_t i = first + 64 * word + bit;
-      hit |= std::uint64_t(graze::hits(lane(rays, i), lane(shapes, i))) << bit;
-    });
-    mask[word] = hit;
-  }
-}
+/// Runs while there is doubt: as long as the nearest cache holds, for lanes in doubt are read again.
+constexpr std::size_t doubtful_lanes = 256;
 
+/// settle_lanes(first, count, verdicts) tells what the lanes know; the masks' other bits are those of the lanes in doubt.
 template <class Rays, class Shapes, class Settle>
 void decide(const Rays& rays, const Shapes& shapes, std::uint64_t* mask, const Settle& settle_lanes) noexcept {
   const std::size_t n = lanes(rays, shapes);
   Verdicts verdicts;
-  for (std::size_t first = 0; first < n; first += run_lanes) {
-    const std::size_t count = std::min(run_lanes, n - first);
+  Doubts<Rays, Shapes> doubts(rays, shapes, mask);
+  std::size_t most = run_lanes;
+  for (std::size_t first = 0, count = 0; first < n; first += count) {
+    count = std::min(most, n - first);
     settle_lanes(first, count, verdicts);
-    finish(rays, shapes, first, count, verdicts, mask + first / 64);
+    for (std::size_t word = 0; 64 * word < count; ++word) {
+      mask[first / 64 + word] = verdicts.hit[word] & present(count - 64 * word);
+    }
+    most = has_doubt(verdicts, count) ? doubtful_lanes : run_lanes;
+    if (most == run_lanes) continue;
+    for (std::size_t word = 0; 64 * word < count; ++word) {
+      const std::uint64_t doubt = verdicts.doubt[word] & present(count - 64 * word);
+      if (doubt != 0) doubts.add(first / 64 + word, doubt);
+    }
   }
+  doubts.finish();
 }
 
 template <class Rays, class Shapes>
@@ -61,7 +60,16 @@ void hits(const RayArrays<T>& rays, const TriangleArrays<T>& triangles, std::uin
 }
 template <Real T>
 void hits(const Ray<T>& ray, const SphereArrays<T>& spheres, std::uint64_t* mask) noexcept {
-  decide(ray, spheres, mask);
+  const auto unit = unit_ray(ray);
+  if (!unit) return decide(ray, spheres, mask);
+  const SphereColumns<T> all = columns(spheres);
+  // Where there was no doubt, none is looked for: the lanes only tell of a word that all are certain.
+  Doubt doubt = Doubt::of_words;
+  decide(ray, spheres, mask, [&](std::size_t first, std::size_t count, Verdicts& out) {
+    settle(*unit, all, doubt, first, count, out);
+    if (doubt == Doubt::of_words && has_doubt(out, count)) settle(*unit, all, Doubt::of_lanes, first, count, out);
+    doubt = has_doubt(out, count) ? Doubt::of_lanes : Doubt::of_words;
+  });
 }
 template <Real T>
 void hits(const RayArrays<T>& rays, const Sphere<T>& sphere, std::uint64_t* mask) noexcept {

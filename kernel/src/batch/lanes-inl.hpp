@@ -7,6 +7,7 @@
 #endif
 
 #include <cstring>
+#include <utility>
 
 #include "batch/verdicts.hpp"
 #include "hwy/highway.h"
@@ -27,11 +28,30 @@ using LaneMask = hn::Mask<D>;
 /// The bits of a mask, lane 0 lowest.
 template <class D>
 HWY_INLINE std::uint64_t bits(D d, LaneMask<D> mask) {
+#if HWY_TARGET == HWY_AVX2
+  // One instruction, where what is below takes a byte of it and widens that.
+  const auto v = hn::VecFromMask(d, mask).raw;
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+    return static_cast<unsigned>(_mm256_movemask_ps(v));
+  } else {
+    return static_cast<unsigned>(_mm256_movemask_pd(v));
+  }
+#elif HWY_TARGET == HWY_SSE4
+  const auto v = hn::VecFromMask(d, mask).raw;
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+    return static_cast<unsigned>(_mm_movemask_ps(v));
+  } else {
+    return static_cast<unsigned>(_mm_movemask_pd(v));
+  }
+#elif HWY_TARGET == HWY_AVX3
+  return mask.raw;
+#else
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(d, mask, bytes);
   std::uint64_t out = 0;
   for (std::size_t i = 0; i < (hn::MaxLanes(d) + 7) / 8; ++i) out |= std::uint64_t(bytes[i]) << (8 * i);
   return out;
+#endif
 }
 
 /// The lanes whose sign bit is set.
@@ -87,11 +107,21 @@ class Source {
   HWY_INLINE explicit Source(const Columns<T, n>& columns) : columns_(columns) {}
   HWY_INLINE Lanes<D> get(int k, std::size_t i) const { return hn::LoadU(D(), columns_.column[k] + i); }
   HWY_INLINE Vector3<D> vector(int k, std::size_t i) const { return {get(k, i), get(k + 1, i), get(k + 2, i)}; }
-  HWY_INLINE void advance(std::size_t lanes) {
-    for (const T*& column : columns_.column) column += column == nullptr ? 0 : lanes;
-  }
+  HWY_INLINE void advance(std::size_t lanes) { advance_each(lanes, std::make_index_sequence<n>()); }
 
  private:
+  /// Every column has a pointer of its own, in a register: with one index for all, each load would take an operation more.
+  template <std::size_t... k>
+  HWY_INLINE void advance_each(std::size_t lanes, std::index_sequence<k...>) {
+    (advance_one(columns_.column[k], lanes), ...);
+  }
+  static HWY_INLINE void advance_one(const T*& column, std::size_t lanes) {
+    column += column == nullptr ? 0 : lanes;
+#if defined(__GNUC__)
+    asm("" : "+r"(column));
+#endif
+  }
+
   Columns<T, n> columns_;
 };
 
@@ -111,76 +141,72 @@ class Source<D, n, false> {
   Lanes<D> spread_[n];
 };
 
-/// The last lanes, fewer than a vector: copied, so that nothing past the ends is read.
-template <class D, int n, bool many>
+/// The last lanes, fewer than the vectors of a step: copied, so that nothing past the ends is read.
+template <class T, int n>
 class Tail {
  public:
-  using T = hn::TFromD<D>;
-
-  HWY_INLINE Tail(const Columns<T, n>& columns, std::size_t first, std::size_t count) : columns_(columns) {
-    if constexpr (many) {
-      for (int k = 0; k < n; ++k) {
-        if (columns.column[k] == nullptr) continue;
-        std::memset(buffer_[k], 0, sizeof buffer_[k]);
-        std::memcpy(buffer_[k], columns.column[k] + first, count * sizeof(T));
-        columns_.column[k] = buffer_[k];
-      }
+  /// Columns of `count` lanes from `first` and zeros after those; of arrays alone.
+  HWY_INLINE Columns<T, n> copy(const Columns<T, n>& columns, std::size_t first, std::size_t count) {
+    Columns<T, n> copied{};
+    for (int k = 0; k < n; ++k) {
+      if (columns.column[k] == nullptr) continue;
+      std::memset(buffer_[k], 0, sizeof buffer_[k]);
+      std::memcpy(buffer_[k], columns.column[k] + first, count * sizeof(T));
+      copied.column[k] = buffer_[k];
     }
+    return copied;
   }
-  HWY_INLINE Source<D, n, many> source() const { return Source<D, n, many>(columns_); }
 
  private:
-  Columns<T, n> columns_;
-  T buffer_[many ? n : 1][16];
+  T buffer_[n][64];
 };
 
-/// What a filter tells of one vector, as bits.
-struct VectorVerdict {
-  std::uint64_t hit, settled, side;
-};
-
-/// The same of up to 64 lanes.
+/// What a filter tells of up to 64 lanes, as bits; a hit counts where the lane is settled.
 struct WordVerdict {
   std::uint64_t hit = 0, settled = 0, side = 0;
 
-  HWY_INLINE void include(const VectorVerdict& v, std::size_t lane) {
+  HWY_INLINE void include(const WordVerdict& v, std::size_t lane) {
     hit |= v.hit << lane;
     settled |= v.settled << lane;
     side |= v.side << lane;
   }
 };
 
-/// Calls filter(rays, shapes, i) for vectors of the lanes from `first`, and gathers its verdicts in words.
+/// Calls filter(rays, shapes, i) for vectors of the lanes from `first`, and gathers its verdicts in words. A filter may tell
+/// only of a whole word whether its lanes are settled: begin_word() before those, and is_sure() after them.
 template <class D, bool many_rays, bool many_shapes, int n, int m, class Filter>
 HWY_INLINE void settle(D d, const Columns<hn::TFromD<D>, n>& ray_columns, const Columns<hn::TFromD<D>, m>& shape_columns,
-                       std::size_t first, std::size_t count, const Filter& filter, Verdicts& out) {
+                       std::size_t first, std::size_t count, Filter filter, Verdicts& out) {
+  using T = hn::TFromD<D>;
   const std::size_t step = hn::Lanes(d);
   Source<D, n, many_rays> rays(ray_columns);
   Source<D, m, many_shapes> shapes(shape_columns);
   rays.advance(first);
   shapes.advance(first);
-  for (std::size_t word = 0; 64 * word < count; ++word, rays.advance(64), shapes.advance(64)) {
+  Tail<T, many_rays ? n : 1> last_rays;
+  Tail<T, many_shapes ? m : 1> last_shapes;
+  for (std::size_t word = 0; 64 * word < count; ++word) {
+    const std::size_t left = count - 64 * word < 64 ? count - 64 * word : 64;
     WordVerdict gathered;
-    const std::size_t left = count - 64 * word;
-    if (left >= 64) {
-      // Four vectors at constant offsets: their loads need no index, and no load waits for another's vector.
-      for (std::size_t lane = 0; lane < 64; lane += 4 * step) {
-        gathered.include(filter(rays, shapes, lane), lane);
-        gathered.include(filter(rays, shapes, lane + step), lane + step);
-        gathered.include(filter(rays, shapes, lane + 2 * step), lane + 2 * step);
-        gathered.include(filter(rays, shapes, lane + 3 * step), lane + 3 * step);
+    if constexpr (requires { filter.begin_word(); }) filter.begin_word();
+    for (std::size_t lane = 0; lane < left; lane += 4 * step) {
+      if (left - lane < 4 * step) {
+        const std::size_t start = first + 64 * word + lane;
+        if constexpr (many_rays) rays = Source<D, n, true>(last_rays.copy(ray_columns, start, left - lane));
+        if constexpr (many_shapes) shapes = Source<D, m, true>(last_shapes.copy(shape_columns, start, left - lane));
       }
-    } else {
-      std::size_t lane = 0;
-      for (; lane + step <= left; lane += step) gathered.include(filter(rays, shapes, lane), lane);
-      if (lane < left) {
-        const std::size_t at = first + 64 * word + lane;
-        const Tail<D, n, many_rays> last_rays(ray_columns, at, left - lane);
-        const Tail<D, m, many_shapes> last_shapes(shape_columns, at, left - lane);
-        gathered.include(filter(last_rays.source(), last_shapes.source(), 0), lane);
-      }
+      // Four vectors: no load waits for another's vector, and all shifts but one are by constants.
+      WordVerdict group;
+      group.include(filter(rays, shapes, 0), 0);
+      group.include(filter(rays, shapes, step), step);
+      group.include(filter(rays, shapes, 2 * step), 2 * step);
+      group.include(filter(rays, shapes, 3 * step), 3 * step);
+      gathered.include(group, lane);
+      rays.advance(4 * step);
+      shapes.advance(4 * step);
     }
-    out.hit[word] = gathered.hit;
+    if constexpr (requires { filter.is_sure(); }) gathered.settled = filter.is_sure() ? ~std::uint64_t(0) : 0;
+    out.hit[word] = gathered.hit & gathered.settled;
     out.doubt[word] = ~gathered.settled;
     out.side[word] = gathered.side;
   }

@@ -55,13 +55,13 @@ class ShearedTriangles {
         most_square_(hn::Set(d, 3 * ray.most * ray.most)) {}
 
   template <class Rays, class Triangles>
-  HWY_INLINE VectorVerdict operator()(const Rays&, const Triangles& triangles, std::size_t i) const {
+  HWY_INLINE WordVerdict operator()(const Rays&, const Triangles& triangles, std::size_t i) const {
     const D d;
     const Corner a = corner(triangles, 0, i), b = corner(triangles, 3, i), c = corner(triangles, 6, i);
     const V u = hn::MulSub(c.x, b.y, hn::Mul(c.y, b.x));
     const V v = hn::MulSub(a.x, c.y, hn::Mul(a.y, c.x));
     const V w = hn::MulSub(b.x, a.y, hn::Mul(b.y, a.x));
-    const V t = hn::MulAdd(u, a.z, hn::MulAdd(v, b.z, hn::Mul(w, c.z)));
+    const V t = hn::NegMulSub(u, a.z, hn::MulAdd(v, b.z, hn::Mul(w, c.z)));
     const V z = hn::MulAdd(a.z, a.z, hn::MulAdd(b.z, b.z, hn::MulAdd(c.z, c.z, hn::Set(d, least_z))));
     // Three chains: one of nine would keep the processor waiting.
     const V xx = hn::MulAdd(a.x, a.x, hn::MulAdd(b.x, b.x, hn::Mul(c.x, c.x)));
@@ -108,14 +108,15 @@ class ShearedTriangles {
     V x, y, z;
   };
 
+  /// Negated: the weights are the same, and what is subtracted is read from memory by the subtraction itself.
   template <class Triangles>
   HWY_INLINE Corner corner(const Triangles& triangles, int k, std::size_t i) const {
-    const V x = hn::Sub(triangles.get(k, i), ox_), y = hn::Sub(triangles.get(k + 1, i), oy_);
-    const V z = hn::Sub(triangles.get(k + 2, i), oz_);
+    const V x = hn::Sub(ox_, triangles.get(k, i)), y = hn::Sub(oy_, triangles.get(k + 1, i));
+    const V z = hn::Sub(oz_, triangles.get(k + 2, i));
     return {hn::NegMulAdd(sx_, z, x), hn::NegMulAdd(sy_, z, y), z};
   }
 
-  static HWY_INLINE VectorVerdict verdict(D d, LaneMask<D> settled, LaneMask<D> hit) {
+  static HWY_INLINE WordVerdict verdict(D d, LaneMask<D> settled, LaneMask<D> hit) {
     return {bits(d, hit), bits(d, hn::Not(settled)), 0};
   }
 

@@ -29,7 +29,7 @@ struct SphereFilter {
   static constexpr T scale = 1 / (16 * Bounds<T>::unit), flushed = T(0x1p20) * Bounds<T>::flushed * scale;
 
   template <class Rays, class Spheres>
-  HWY_INLINE VectorVerdict operator()(const Rays& rays, const Spheres& spheres, std::size_t i) const {
+  HWY_INLINE WordVerdict operator()(const Rays& rays, const Spheres& spheres, std::size_t i) const {
     const D d;
     const Vector3<D> direction = rays.vector(3, i), l = spheres.vector(0, i) - rays.vector(0, i);
     const V r = spheres.get(3, i), r2 = hn::Mul(r, r), l2 = dot<D>(l, l);

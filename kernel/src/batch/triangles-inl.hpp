@@ -41,7 +41,7 @@ HWY_INLINE LaneMask<D> range_is_valid(D d, Lanes<D> t_min, Lanes<D> t_max) {
 template <class D, bool has_range>
 struct TriangleFilter {
   template <class Rays, class Triangles>
-  HWY_INLINE VectorVerdict operator()(const Rays& rays, const Triangles& triangles, std::size_t i) const {
+  HWY_INLINE WordVerdict operator()(const Rays& rays, const Triangles& triangles, std::size_t i) const {
     using T = hn::TFromD<D>;
     using V = Lanes<D>;
     const D d;

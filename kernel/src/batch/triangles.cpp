@@ -8,7 +8,6 @@
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 
 #include "batch/lanes-inl.hpp"
-#include "batch/sheared_triangles-inl.hpp"
 #include "batch/triangles-inl.hpp"
 // clang-format on
 
@@ -23,28 +22,6 @@ void double_run(const TriangleRun<double>& run, std::size_t first, std::size_t c
   settle_run<TriangleFilter>(run, first, count, out);
 }
 
-template <class T>
-HWY_INLINE void settle_sheared(const ShearedRay<T>& ray, const TriangleColumns<T>& triangles, std::size_t first,
-                               std::size_t count, Verdicts& out) {
-  using D = Tag<T>;
-  const D d;
-  const Columns<T, 1> none{};
-  if (ray.has_most)
-    return settle<D, false, true>(d, none, triangles, first, count, ShearedTriangles<D, true, true>(d, ray), out);
-  if (ray.has_least)
-    return settle<D, false, true>(d, none, triangles, first, count, ShearedTriangles<D, true, false>(d, ray), out);
-  settle<D, false, true>(d, none, triangles, first, count, ShearedTriangles<D, false, false>(d, ray), out);
-}
-
-void float_sheared(const ShearedRay<float>& ray, const TriangleColumns<float>& triangles, std::size_t first, std::size_t count,
-                   Verdicts& out) {
-  settle_sheared(ray, triangles, first, count, out);
-}
-void double_sheared(const ShearedRay<double>& ray, const TriangleColumns<double>& triangles, std::size_t first,
-                    std::size_t count, Verdicts& out) {
-  settle_sheared(ray, triangles, first, count, out);
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace graze::batch
 HWY_AFTER_NAMESPACE();
@@ -54,8 +31,6 @@ namespace graze::batch {
 
 HWY_EXPORT(float_run);
 HWY_EXPORT(double_run);
-HWY_EXPORT(float_sheared);
-HWY_EXPORT(double_sheared);
 
 template <>
 void settle(const TriangleRun<float>& run, std::size_t first, std::size_t count, Verdicts& out) noexcept {
@@ -64,16 +39,6 @@ void settle(const TriangleRun<float>& run, std::size_t first, std::size_t count,
 template <>
 void settle(const TriangleRun<double>& run, std::size_t first, std::size_t count, Verdicts& out) noexcept {
   HWY_DYNAMIC_DISPATCH(double_run)(run, first, count, out);
-}
-template <>
-void settle(const ShearedRay<float>& ray, const TriangleColumns<float>& triangles, std::size_t first, std::size_t count,
-            Verdicts& out) noexcept {
-  HWY_DYNAMIC_DISPATCH(float_sheared)(ray, triangles, first, count, out);
-}
-template <>
-void settle(const ShearedRay<double>& ray, const TriangleColumns<double>& triangles, std::size_t first, std::size_t count,
-            Verdicts& out) noexcept {
-  HWY_DYNAMIC_DISPATCH(double_sheared)(ray, triangles, first, count, out);
 }
 
 }  // namespace graze::batch

@@ -13,6 +13,11 @@ namespace graze::batch {
 /// The longest run of lanes that is settled at a time.
 inline constexpr std::size_t run_words = 16, run_lanes = 64 * run_words;
 
+/// The lanes of a word that are there, where n are left.
+[[nodiscard]] constexpr std::uint64_t present(std::size_t n) noexcept {
+  return n < 64 ? (std::uint64_t(1) << n) - 1 : ~std::uint64_t(0);
+}
+
 /// Bit i % 64 of word i / 64 for lane i. Bits past the end have no meaning.
 struct Verdicts {
   std::uint64_t hit[run_words];    ///< certain
@@ -21,9 +26,11 @@ struct Verdicts {
   std::uint64_t side[run_words];
 };
 
-/// The lanes of a word that are there, where n are left.
-[[nodiscard]] constexpr std::uint64_t present(std::size_t n) noexcept {
-  return n < 64 ? (std::uint64_t(1) << n) - 1 : ~std::uint64_t(0);
+/// Whether any lane of the first `count` is in doubt.
+[[nodiscard]] inline bool has_doubt(const Verdicts& verdicts, std::size_t count) noexcept {
+  std::uint64_t any = 0;
+  for (std::size_t word = 0; 64 * word < count; ++word) any |= verdicts.doubt[word] & present(count - 64 * word);
+  return any != 0;
 }
 
 /// Calls f(lane) for each bit.
@@ -35,6 +42,7 @@ inline void for_each_bit(std::uint64_t bits, F&& f) noexcept {
 /// The numbers of a ray and a shape, as arrays or, where `one`, each a single number.
 template <Real T, int n>
 struct Columns {
+  static constexpr int count = n;
   const T* column[n];
 };
 
@@ -73,6 +81,12 @@ struct ShearedRay {
   bool has_most;   ///< t_max is not infinite
 };
 
+/// A ray without upper end from t = 0, its direction as long as 1, as unit_spheres-inl.hpp takes it: in rounding to nearest.
+template <Real T>
+struct UnitRay {
+  T origin[3], direction[3];
+};
+
 /// The verdicts on the lanes first ... first + count - 1, count <= run_lanes, by the best instructions of this processor.
 template <Real T>
 void settle(const TriangleRun<T>& run, std::size_t first, std::size_t count, Verdicts& out) noexcept;
@@ -80,6 +94,16 @@ template <Real T>
 void settle(const SphereRun<T>& run, std::size_t first, std::size_t count, Verdicts& out) noexcept;
 template <Real T>
 void settle(const ShearedRay<T>& ray, const TriangleColumns<T>& triangles, std::size_t first, std::size_t count,
+            Verdicts& out) noexcept;
+/// The same of the first `count` lanes of double, by exact arithmetic: certain where they lie on lattices. Without range, in
+/// rounding to nearest, with subnormal numbers; the shapes are arrays.
+void settle_on_lattice(const TriangleRun<double>& run, std::size_t count, Verdicts& out) noexcept;
+void settle_on_lattice(const SphereRun<double>& run, std::size_t count, Verdicts& out) noexcept;
+
+/// A doubt of words: all lanes of a word are in doubt if one is, which takes less to tell.
+enum class Doubt { of_words, of_lanes };
+template <Real T>
+void settle(const UnitRay<T>& ray, const SphereColumns<T>& spheres, Doubt doubt, std::size_t first, std::size_t count,
             Verdicts& out) noexcept;
 
 }  // namespace graze::batch

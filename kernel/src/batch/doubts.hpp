@@ -1,0 +1,92 @@
+// Lanes in doubt: gathered until they fill vectors, decided together where they lie on lattices, and one by one elsewhere.
+#pragma once
+
+#include <utility>
+
+#include "batch/columns.hpp"
+#include "graze/sphere.hpp"
+#include "graze/triangle.hpp"
+#include "numeric/double_double.hpp"
+#include "predicates/in_doubt.hpp"
+
+namespace graze::batch {
+
+/// Of one call. `finish` must be called at the end.
+template <class Rays, class Shapes>
+class Doubts {
+ public:
+  Doubts(const Rays& rays, const Shapes& shapes, std::uint64_t* mask) noexcept : rays_(rays), shapes_(shapes), mask_(mask) {}
+
+  /// Lanes of a word of the mask that are in doubt; their bits are not set.
+  void add(std::size_t word, std::uint64_t doubt) noexcept {
+    if (!is_open_) open();
+    if (!is_gathering_) {
+      std::uint64_t hit = 0;
+      for_each_bit(doubt, [&](std::size_t bit) { hit |= std::uint64_t(decide(64 * word + bit)) << bit; });
+      mask_[word] |= hit;
+      return;
+    }
+    if (count_ + static_cast<std::size_t>(std::popcount(doubt)) > room) flush();
+    words_[word_count_++] = {word, doubt};
+    for_each_bit(doubt, [&](std::size_t bit) {
+      if constexpr (is_array<Rays>) gather(ray_numbers_, columns(rays_), 64 * word + bit);
+      gather(shape_numbers_, columns(shapes_), is_array<Shapes> ? 64 * word + bit : 0);
+      ++count_;
+    });
+  }
+  void finish() noexcept {
+    if (count_ != 0) flush();
+  }
+
+ private:
+  static constexpr std::size_t room = 64;
+  static constexpr int shape_columns = decltype(columns(std::declval<const Shapes&>()))::count;
+
+  /// What does not change while the call lasts.
+  void open() noexcept {
+    is_open_ = true;
+    is_gathering_ = !has_range(rays_) && numeric::rounds_to_nearest() && !predicates::flushes_subnormals();
+    if constexpr (!is_array<Rays>) gather(ray_numbers_, columns(rays_), 0);
+  }
+
+  template <class T, int n, std::size_t m>
+  void gather(double (&to)[m][room], const Columns<T, n>& from, std::size_t i) noexcept {
+    for (std::size_t k = 0; k < m; ++k) to[k][count_] = from.column[k][i];
+  }
+
+  void flush() noexcept {
+    Run<double, shape_columns> run{{}, {}, is_array<Rays>, true, false};
+    for (int k = 0; k < 6; ++k) run.rays.column[k] = ray_numbers_[k];
+    for (int k = 0; k < shape_columns; ++k) run.shapes.column[k] = shape_numbers_[k];
+    Verdicts verdicts;
+    settle_on_lattice(run, count_, verdicts);
+    std::uint64_t known = verdicts.hit[0], unknown = verdicts.doubt[0];
+    for (std::size_t k = 0; k < word_count_; ++k) {
+      const auto& [word, doubt] = words_[k];
+      std::uint64_t hit = 0;
+      for_each_bit(doubt, [&](std::size_t bit) {
+        const bool is_hit = (unknown & 1) != 0 ? decide(64 * word + bit) : (known & 1) != 0;
+        hit |= std::uint64_t(is_hit) << bit;
+        known >>= 1;
+        unknown >>= 1;
+      });
+      mask_[word] |= hit;
+    }
+    count_ = word_count_ = 0;
+  }
+
+  [[nodiscard]] bool decide(std::size_t i) const noexcept { return graze::hits(lane(rays_, i), lane(shapes_, i)); }
+
+  const Rays& rays_;
+  const Shapes& shapes_;
+  std::uint64_t* mask_;
+  bool is_open_ = false, is_gathering_ = false;
+  std::size_t count_ = 0, word_count_ = 0;
+  struct {
+    std::size_t word;
+    std::uint64_t doubt;
+  } words_[room];
+  double ray_numbers_[6][room], shape_numbers_[shape_columns][room];
+};
+
+}  // namespace graze::batch
