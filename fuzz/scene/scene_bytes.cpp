@@ -55,6 +55,7 @@ SceneQuestion<T> decode(unsigned first, Reader bytes) {
     const unsigned flags = bytes.byte();
     question.options.ignore_coplanar = (flags & 1) != 0;
     question.options.cull_back_faces = (flags & 2) != 0;
+    question.is_split = (flags & 4) != 0;
     question.options.leave_out = bytes.byte();
     question.options.mask = bytes.byte();
   }

@@ -43,7 +43,7 @@ BuildStatus build_and_refit(Scene<T>& scene, const SceneQuestion<T>& question) {
       spheres = std::move(moved);
     }
   }
-  BuildStatus status = scene.build(std::move(parts));
+  BuildStatus status = scene.build(std::move(parts), {false, Threads::mine, question.is_split});
   for (std::size_t i = 0; status.ok() && i < question.draft.parts.size(); ++i) {
     const Part<T>& part = question.draft.parts[i];
     const auto* mesh = std::get_if<Mesh<T>>(&part);
@@ -57,8 +57,9 @@ void check(const SceneQuestion<T>& question) {
   const char* const precision = sizeof(T) == 4 ? "float" : "double";
   Scene<T> scene;
   const bool is_refitted = question.is_refitted && !question.is_closed;
-  const BuildStatus status =
-      is_refitted ? build_and_refit(scene, question) : scene.build(question.draft.parts, {question.is_closed, Threads::mine});
+  const BuildStatus status = is_refitted
+                                 ? build_and_refit(scene, question)
+                                 : scene.build(question.draft.parts, {question.is_closed, Threads::mine, question.is_split});
   if (status.error == BuildError::open_edge && question.is_closed) return;
   if (status.ok() != is_valid(question.draft))
     fail(precision, status.ok() ? "invalid parts are taken" : "valid parts are refused");

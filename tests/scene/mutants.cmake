@@ -122,7 +122,7 @@ graze_scene_mutant(
   refit_keeps_boxes
   BY corpus
   MODELS "refitting gives the leaves their shapes but the nodes no boxes"
-  FILE src/scene/build.cpp
+  FILE src/scene/refit.cpp
   FIND [[      node.set(i, box, child);
     }
   }
@@ -131,3 +131,19 @@ graze_scene_mutant(
     }
   }
   data.root = Box::empty();]])
+
+graze_scene_mutant(
+  split_counts_twice
+  BY campaign
+  MODELS "a triangle in several leaves counted in each"
+  FILE src/scene/home-inl.hpp
+  FIND [[return node.children[at->slot].index() == block;]]
+  REPLACE [[return true;]])
+
+graze_scene_mutant(
+  split_without_crossings
+  BY campaign
+  MODELS "of a triangle beside a plane only its corners are in the box, not where its edges cross the plane"
+  FILE src/scene/splits.cpp
+  FIND [[const bool is_crossing = std::min]]
+  REPLACE [[const bool is_crossing = false && std::min]])

@@ -11,7 +11,7 @@ template <Real T>
 
 /// Builds the hierarchy of measured data. Throws std::bad_alloc.
 template <Real T>
-void build(Data<T>& data, Threads threads);
+void build(Data<T>& data, const BuildOptions& options);
 
 /// Gives the leaves of a built hierarchy the shapes as they are now, and every node its boxes; the data is measured.
 template <Real T>

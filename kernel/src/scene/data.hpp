@@ -29,12 +29,19 @@ struct Content {
   }
 };
 
+/// One of several leaves that hold a triangle.
+struct Listing {
+  std::uint32_t primitive;
+  std::uint32_t node, slot;  ///< the leaf is this child of this node
+};
+
 template <Real T>
 struct Data : Content<T> {
   Box root = Box::empty();
   Pages<Node> nodes;  ///< parents before their children, the root first; none in a scene of nothing
   Pages<TriangleBlock<T>> triangles;
   Pages<SphereBlock<T>> spheres;
+  std::vector<Listing> listings;  ///< of the triangles in several leaves, by primitive; none without spatial splits
   bool is_closed = false;
 };
 
@@ -48,6 +55,18 @@ template <Real T>
 [[nodiscard]] inline Triangle<T> triangle_of(const Mesh<T>& mesh, std::size_t i) noexcept {
   const auto& [a, b, c] = mesh.triangles[i];
   return {mesh.points[a], mesh.points[b], mesh.points[c]};
+}
+
+/// The primitive as it is now.
+template <Real T>
+inline void load(const Data<T>& data, TriangleBlock<T>& block, int lane, std::uint32_t primitive) noexcept {
+  const std::uint32_t part = data.part_of(primitive);
+  block.set(lane, triangle_of(std::get<Mesh<T>>(data.parts[part]), primitive - data.first[part]), primitive);
+}
+template <Real T>
+inline void load(const Data<T>& data, SphereBlock<T>& block, int lane, std::uint32_t primitive) noexcept {
+  const std::uint32_t part = data.part_of(primitive);
+  block.set(lane, std::get<Spheres<T>>(data.parts[part]).spheres[primitive - data.first[part]], primitive);
 }
 
 }  // namespace graze::scene

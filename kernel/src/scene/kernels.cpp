@@ -15,6 +15,7 @@
 #include "rounding/quotients.hpp"
 #include "scene/boxes-inl.hpp"
 #include "scene/face-inl.hpp"
+#include "scene/home-inl.hpp"
 #include "scene/lanes.hpp"
 #include "scene/triangles-inl.hpp"
 #include "scene/walk-inl.hpp"
@@ -61,6 +62,11 @@ class HitVisitor {
   HWY_INLINE void end_at(double t) {
     end_ = t;
     end_rays_at(ray_, box_, t);
+  }
+
+  /// Of a triangle in several leaves, whether this is the one to count it.
+  [[nodiscard]] HWY_INLINE bool is_counted_here(const Candidate& found) const {
+    return HWY_LIKELY(query_.data.listings.empty()) || is_home(query_.data, box_, found.index, found.block);
   }
 
   Rays<T> rays_;
@@ -228,7 +234,10 @@ struct CountVisitor : HitVisitor<T, Tally, CountVisitor<T, Tally>> {
   using HitVisitor<T, Tally, CountVisitor>::HitVisitor;
   static constexpr bool wants_t = false;
   std::uint64_t sum = 0;
-  bool hit(const Candidate&) { return hits(1); }
+  bool hit(const Candidate& found) {
+    const bool is_counted = found.shape == Shape::sphere || this->is_counted_here(found);
+    return hits(is_counted ? 1 : 0);
+  }
   bool hits(unsigned n) {
     sum += n;
     return false;
@@ -244,6 +253,7 @@ struct ClosestVisitor : HitVisitor<T, Tally, ClosestVisitor<T, Tally>> {
   bool hits(unsigned) { return false; }
   bool hit(Candidate& found) {
     if (best.shape != Shape::none) {
+      if (found.index == best.index) return false;
       if (!comes_before(this->query_, found, best)) return false;
       // What comes first is not after the other's upper bound either.
       found.t.high = std::min(found.t.high, best.t.high);
@@ -264,6 +274,8 @@ struct CollectVisitor : HitVisitor<T, Tally, CollectVisitor<T, Tally>> {
   bool hits(unsigned) { return false; }
   bool hit(const Candidate& candidate) {
     if (candidate.t.low > this->end_) return false;
+    // Where the ray is shortened on its way, repeats are for the caller to drop.
+    if (!only_closest && candidate.shape == Shape::triangle && !this->is_counted_here(candidate)) return false;
     found.push_back(candidate);
     if (only_closest && candidate.t.high < this->end_) {
       this->end_at(candidate.t.high);
@@ -285,11 +297,12 @@ class InsideVisitor {
   }
 
   HWY_INLINE bool leaf(Child child) {
-    return child.is_spheres() ? spheres(query_.data.spheres[child.index()]) : triangles(query_.data.triangles[child.index()]);
+    return child.is_spheres() ? spheres(query_.data.spheres[child.index()])
+                              : triangles(query_.data.triangles[child.index()], child.index());
   }
 
  private:
-  HWY_INLINE bool triangles(const TriangleBlock<T>& block) {
+  HWY_INLINE bool triangles(const TriangleBlock<T>& block, std::uint32_t number) {
     using predicates::TriangleVerdict;
     const unsigned lanes = lanes_of(block.index);
     const auto tests = static_cast<unsigned>(__builtin_popcount(lanes));
@@ -304,8 +317,10 @@ class InsideVisitor {
       query_.tally.template add<&Statistics::error_bounds>(tests);
       verdicts = settle(ray_, block);
     }
-    is_inside_ ^= (__builtin_popcount(verdicts.face & lanes) & 1) != 0;
-    for (unsigned rest = verdicts.uncertain & lanes; rest != 0; rest &= rest - 1) {
+    verdicts.face = at_home(query_.data, box_, block, number, verdicts.face & lanes);
+    verdicts.uncertain = at_home(query_.data, box_, block, number, verdicts.uncertain & lanes);
+    is_inside_ ^= (__builtin_popcount(verdicts.face) & 1) != 0;
+    for (unsigned rest = verdicts.uncertain; rest != 0; rest &= rest - 1) {
       const Triangle<T> triangle = block.triangle(__builtin_ctz(rest));
       if (!ray_.is_integer) {
         const TriangleVerdict verdict =

@@ -8,7 +8,6 @@
 #if defined(GRAZE_HAVE_TBB)
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #endif
 
 namespace graze::scene {

@@ -83,6 +83,10 @@ template <Real T>
     if (order <= 0) least.push_back(c);
   }
   std::sort(least.begin(), least.end(), [](const auto& one, const auto& other) { return one.index < other.index; });
+  // Spatial splits list a triangle in several leaves.
+  const auto last =
+      std::unique(least.begin(), least.end(), [](const auto& one, const auto& other) { return one.index == other.index; });
+  least.erase(last, least.end());
   std::vector<SceneHit<T>> hits;
   hits.reserve(least.size());
   for (const Candidate& c : least) hits.push_back(rounded(query, c));

@@ -19,10 +19,11 @@ struct Query {
   const QueryOptions& options;
   Tally tally;
 
-  /// Whether every primitive is seen and taken.
+  /// Whether every primitive is seen and taken, in one leaf alone.
   [[nodiscard]] bool takes_all() const noexcept {
     const QueryOptions& o = options;
-    return !o.ignore_coplanar && !o.cull_back_faces && o.leave_out == no_primitive && o.mask == ~std::uint32_t(0);
+    return data.listings.empty() && !o.ignore_coplanar && !o.cull_back_faces && o.leave_out == no_primitive &&
+           o.mask == ~std::uint32_t(0);
   }
   /// Whether the options let the primitive be seen at all.
   [[nodiscard]] bool sees(std::uint32_t index) const noexcept {

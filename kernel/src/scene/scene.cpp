@@ -25,7 +25,7 @@ BuildStatus Scene<T>::build(std::vector<Part<T>> parts, const BuildOptions& opti
     if (status.ok() && options.is_closed) status = scene::check_closed(*data);
     if (!status.ok()) return status;
     data->is_closed = options.is_closed;
-    scene::build(*data, options.threads);
+    scene::build(*data, options);
     data_ = std::move(data);
     return {};
   } catch (const std::bad_alloc&) {
@@ -102,7 +102,7 @@ template <Real T>
 std::size_t Scene<T>::memory() const noexcept {
   const auto held = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t bytes = sizeof(*data_) + held(data_->parts) + held(data_->first) + held(data_->nodes) + held(data_->triangles) +
-                      held(data_->spheres);
+                      held(data_->spheres) + held(data_->listings);
   for (const Part<T>& part : data_->parts) {
     const auto* mesh = std::get_if<Mesh<T>>(&part);
     bytes += mesh != nullptr ? mesh->points.memory() + mesh->triangles.memory() : std::get<Spheres<T>>(part).spheres.memory();
