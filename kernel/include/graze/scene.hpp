@@ -28,8 +28,8 @@ struct BuildOptions {
   /// points are the same whose coordinates are. Spheres are closed by themselves.
   bool is_closed = false;
   Threads threads = Threads::all;
-  /// Lists triangles whose boxes are mostly empty in several leaves, under smaller boxes: fewer triangles tested a ray where they
-  /// are long and thin, for up to twice the memory and a longer build. Answers are the same. `refit` gives each of these
+  /// Lists triangles whose boxes are mostly empty in several leaves, under smaller boxes: fewer triangles tested a ray where
+  /// they are long and thin, for up to twice the memory and a longer build. Answers are the same. `refit` gives each of these
   /// leaves the box of the whole triangle.
   bool spatial_splits = false;
 };
