@@ -39,12 +39,6 @@ void compare_numbers(const TriangleHit<T>& answer, const oracle::TriangleTruth<T
 template <class Query>
 using NumberOf = std::remove_cvref_t<decltype(Query{}.ray.t_min)>;
 
-/// Hits come after invalid and miss.
-template <class Hit>
-bool is_hit(const Hit& hit) {
-  return hit.kind > std::remove_cvref_t<decltype(hit.kind)>::miss;
-}
-
 template <Real T>
 SphereHit<T> with_decision(const SphereHit<T>& truth, bool is_hit) {
   SphereHit<T> hit;
@@ -122,7 +116,7 @@ Errors errors_of(std::span<const Query> queries, std::span<const TruthOf<Query>>
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const Judgment j = judge(queries[i], answers[i], truths[i], allowed);
     ++out.queries;
-    out.hits += is_hit(truths[i].hit) ? 1 : 0;
+    out.hits += fuzz::is_hit(truths[i].hit) ? 1 : 0;
     out.wrong += j.is_wrong ? 1 : 0;
     for (std::size_t k = 0; k < j.t_errors.size(); ++k) {
       errors.push_back(j.t_errors[k]);
@@ -143,7 +137,7 @@ Errors errors_of(std::span<const Query> queries, std::span<const TruthOf<Query>>
   Errors out;
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const HitOf<Query>& truth = truths[i].hit;
-    const bool truly_hits = is_hit(truth);
+    const bool truly_hits = fuzz::is_hit(truth);
     ++out.queries;
     out.hits += truly_hits ? 1 : 0;
     if (decisions[i] == truly_hits) continue;

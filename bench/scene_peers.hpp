@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fuzz/mesh/mesh.hpp"
+#include "fuzz/subjects/embree_ray.hpp"
 #include "graze/types.hpp"
 
 namespace graze::bench {
@@ -53,14 +54,14 @@ class EmbreeScene {
   [[nodiscard]] unsigned closest(const Ray<float>& ray) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRayHit query = ray_hit(ray);
+    RTCRayHit query = fuzz::embree_ray(ray);
     rtcIntersect1(scene_, &context, &query);
     return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? RTC_INVALID_GEOMETRY_ID : query.hit.primID;
   }
   [[nodiscard]] bool any(const Ray<float>& ray) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay query = ray_hit(ray).ray;
+    RTCRay query = fuzz::embree_ray(ray).ray;
     rtcOccluded1(scene_, &context, &query);
     return query.tfar < 0;
   }
@@ -71,7 +72,7 @@ class EmbreeScene {
     rtcInitIntersectContext(&context);
     context.flags = is_coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     space.resize(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) space[i] = ray_hit(rays[i]);
+    for (std::size_t i = 0; i < rays.size(); ++i) space[i] = fuzz::embree_ray(rays[i]);
     rtcIntersect1M(scene_, &context, space.data(), static_cast<unsigned>(rays.size()), sizeof(RTCRayHit));
     std::size_t hits = 0;
     for (const RTCRayHit& query : space) hits += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
@@ -110,25 +111,6 @@ class EmbreeScene {
   }
 
  private:
-  [[nodiscard]] static RTCRayHit ray_hit(const Ray<float>& ray) {
-    RTCRayHit query;
-    query.ray = {ray.origin.x,
-                 ray.origin.y,
-                 ray.origin.z,
-                 ray.t_min,
-                 ray.direction.x,
-                 ray.direction.y,
-                 ray.direction.z,
-                 0,
-                 ray.t_max,
-                 ~0U,
-                 0,
-                 0};
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    return query;
-  }
-
   static bool count_bytes(void* self, ssize_t bytes, bool) {
     auto& scene = *static_cast<EmbreeScene*>(self);
     const std::int64_t now = scene.bytes_ += bytes;

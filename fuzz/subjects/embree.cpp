@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fuzz/float_mode.hpp"
+#include "fuzz/subjects/embree_ray.hpp"
 #include "fuzz/subjects/formula_subject.hpp"
 #include "fuzz/subjects/subjects.hpp"
 
@@ -51,21 +52,7 @@ class OnePrimitive {
     rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
     rtcCommitGeometry(geometry_);
     rtcCommitScene(scene_);
-    RTCRayHit query{};
-    query.ray = {ray.origin.x,
-                 ray.origin.y,
-                 ray.origin.z,
-                 ray.t_min,
-                 ray.direction.x,
-                 ray.direction.y,
-                 ray.direction.z,
-                 0,
-                 ray.t_max,
-                 ~0u,
-                 0,
-                 0};
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCRayHit query = embree_ray(ray);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene_, &context, &query);

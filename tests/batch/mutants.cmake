@@ -58,15 +58,15 @@ graze_batch_mutant(
   edge_constant
   MODELS "the bound of the weights' errors too small by 2^8"
   FILE src/batch/sheared_triangles-inl.hpp
-  FIND [[edge_error = 16 *]]
-  REPLACE [[edge_error = T(0x1p-8) * 16 *]])
+  FIND [[edge_error = T(sheared_error) *]]
+  REPLACE [[edge_error = T(0x1p-8) * T(sheared_error) *]])
 
 graze_batch_mutant(
   unit_sphere_constant
   MODELS "the bound of a discriminant's error too small by 2^8"
   FILE src/batch/unit_spheres-inl.hpp
-  FIND [[bound = 16 *]]
-  REPLACE [[bound = T(0x1p-8) * 16 *]])
+  FIND [[bound = T(unit_sphere_error) *]]
+  REPLACE [[bound = T(0x1p-8) * T(unit_sphere_error) *]])
 
 graze_batch_mutant(
   lattice_without_center FMA

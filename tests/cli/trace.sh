@@ -2,28 +2,19 @@
 . "$(dirname "$0")/check.sh"
 
 # A tetrahedron, as OFF, OBJ and PLY; corner (0, 0, 0).
-cat >tetra.off <<'END'
-OFF
-4 4 0
-0 0 0
+corners='0 0 0
 1 0 0
 0 1 0
-0 0 1
-3 0 2 1
+0 0 1'
+faces='3 0 2 1
 3 0 1 3
 3 1 2 3
-3 0 3 2
-END
-cat >tetra.obj <<'END'
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 2 3 4
-f 1 4 3
-END
+3 0 3 2'
+printf '%s\n' OFF '4 4 0' "$corners" "$faces" >tetra.off
+{
+  printf '%s\n' "$corners" | sed 's/^/v /'
+  printf '%s\n' 'f 1 3 2' 'f 1 2 4' 'f 2 3 4' 'f 1 4 3'
+} >tetra.obj
 cat >tetra.ply <<'END'
 ply
 format ascii 1.0
@@ -34,15 +25,8 @@ property double z
 element face 4
 property list uchar int vertex_indices
 end_header
-0 0 0
-1 0 0
-0 1 0
-0 0 1
-3 0 2 1
-3 0 1 3
-3 1 2 3
-3 0 3 2
 END
+printf '%s\n' "$corners" "$faces" >>tetra.ply
 cat >tetra.stl <<'END'
 solid tetra
 facet normal 0 0 -1

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 
+#include "batch/bounds.hpp"
 #include "graze/predicates/implicit_filter.hpp"
 #include "graze/predicates/sphere_filter.hpp"
 #include "graze/predicates/triangle_filter.hpp"
@@ -58,6 +59,19 @@ const std::map<std::string, double> kernel_constants{
     {"pair_c_error", rounding::pair_c_error},
     {"pair_discriminant_error", rounding::pair_discriminant_error},
     {"lattice_fineness", numeric::lattice_fineness},
+    {"batch_float_low", batch::Bounds<float>::low},
+    {"batch_float_high", batch::Bounds<float>::high},
+    {"batch_float_most_squares", batch::Bounds<float>::most_squares},
+    {"batch_double_low", batch::Bounds<double>::low},
+    {"batch_double_high", batch::Bounds<double>::high},
+    {"batch_double_most_squares", batch::Bounds<double>::most_squares},
+    {"batch_determinant_error", batch::determinant_error},
+    {"batch_combination_share", batch::combination_share},
+    {"batch_sphere_c_error", batch::sphere_c_error},
+    {"batch_sphere_discriminant_error", batch::sphere_discriminant_error},
+    {"batch_sphere_place_error", batch::sphere_place_error},
+    {"batch_unit_sphere_error", batch::unit_sphere_error},
+    {"batch_sheared_error", batch::sheared_error},
     {"approximation_slack", static_cast<double>(numeric::Approximation::slack)},
 };
 

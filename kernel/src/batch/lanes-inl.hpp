@@ -65,12 +65,6 @@ HWY_INLINE LaneMask<D> sign_mask([[maybe_unused]] D d, Lanes<D> v) {
 #endif
 }
 
-/// a b + c, in one rounding where the machine has that. The bounds hold for both.
-template <class V>
-HWY_INLINE V multiply_add(V a, V b, V c) {
-  return hn::MulAdd(a, b, c);
-}
-
 template <class D>
 struct Vector3 {
   Lanes<D> x, y, z;

@@ -14,19 +14,21 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::batch {
 namespace HWY_NAMESPACE {
 
-/// With L = c - e: A = d.d, B = d.L, C = L.L - r^2, D = B^2 - A C. By sphere_filter.hpp C errs by 7 u S and D by 24 u A S, with
-/// S = L.L + r^2 and u the format's unit; 8 and 32 are taken.
-/// A and S are asked to be such that A S does not overflow.
+/// With L = c - e: A = d.d, B = d.L, C = L.L - r^2, D = B^2 - A C. C errs by sphere_c_error u S and D by
+/// sphere_discriminant_error u A S, with S = L.L + r^2 and u the format's unit, each of which is asked to be such that A S does
+/// not overflow.
 /// What underflows, with f for `flushed` and |d| in [low, high]: L.L errs by 4 f |L| and 2 f more, B by 4 f (|d| + 1), and so D
-/// by 2^4 f (A + 1) (1 + |L|) (|d||L| + 1) more. Where |L| is above 2^-60 (in double, 2^-750), that is 2^-20 of 8 u A S; where
+/// by 2^4 f (A + 1) (1 + |L|) (|d||L| + 1) more. Where |L| is above 2^-16 (in double, 2^-190), that is 2^-20 of 8 u A S; where
 /// it is below, 2^20 f (A + 1) holds D's and 2^20 f holds C's. With C > 0 beyond its bound B^2 > A C > 0 where D > 0: the
-/// computed sign of B is right (sphere_filter.hpp).
+/// computed sign of B is right. Proof: kernel/proofs/batch_spheres.g.
 template <class D, bool has_range>
 struct SphereFilter {
   using T = hn::TFromD<D>;
   using V = Lanes<D>;
-  /// 2^20 f in units of 16 u.
-  static constexpr T scale = 1 / (16 * Bounds<T>::unit), flushed = T(0x1p20) * Bounds<T>::flushed * scale;
+  /// 2^20 f in half the bound's units, for the bound is computed of 2 A.
+  static constexpr T scale = 2 / (T(sphere_discriminant_error) * Bounds<T>::unit),
+                     flushed = T(0x1p20) * Bounds<T>::flushed * scale;
+  static constexpr T place_scale = 1 / (T(sphere_place_error) * Bounds<T>::unit);
 
   template <class Rays, class Spheres>
   HWY_INLINE WordVerdict operator()(const Rays& rays, const Spheres& spheres, std::size_t i) const {
@@ -43,7 +45,8 @@ struct SphereFilter {
     const V magnitude = hn::CopySignToAbs(hn::Abs(discriminant), r);
     const auto is_ordinary = hn::And(a_is_ordinary, hn::Le(c_size, hn::Set(d, Bounds<T>::most_squares)));
     const auto d_is_certain = hn::And(is_ordinary, hn::Gt(hn::Mul(magnitude, hn::Set(d, scale)), discriminant_size));
-    const auto c_is_certain = hn::Gt(hn::Abs(c), hn::MulAdd(hn::Set(d, 8 * Bounds<T>::unit), c_size, hn::Set(d, flushed)));
+    const auto c_is_certain =
+        hn::Gt(hn::Abs(c), hn::MulAdd(hn::Set(d, T(sphere_c_error) * Bounds<T>::unit), c_size, hn::Set(d, flushed)));
     const auto no_root = sign_mask(d, discriminant);
     const std::uint64_t inside = bits(d, sign_mask(d, hn::AndNot(discriminant, c)));
     if constexpr (has_range) {
@@ -75,12 +78,13 @@ struct SphereFilter {
     LaneMask<D> before, between, after;
   };
 
-  /// By the signs of f = A x^2 - 2 B x + C and g = A x - B, with the bounds of sphere_filter.hpp: 16 u of the sums of
+  /// By the signs of f = A x^2 - 2 B x + C and g = A x - B, with sphere_place_error u of the sums of
   /// magnitudes, and 2^20 f (A + 1) (1 + |x|) for what underflows. An x that is too small to be ordinary,
   /// but zero, is left in doubt.
-  static HWY_INLINE Place place_of(V x, V a, V b, V c, V b_size, V c_size, V slack) {
+  static HWY_INLINE Place place_of(V x, V a, V b, V c, V b_size, V c_size, V discriminant_slack) {
     const D d;
-    const V ax = hn::Mul(a, x), bb = hn::Add(b, b), s = hn::Set(d, scale);
+    const V ax = hn::Mul(a, x), bb = hn::Add(b, b), s = hn::Set(d, place_scale);
+    const V slack = hn::Mul(discriminant_slack, hn::Set(d, place_scale / scale));
     const V g = hn::Mul(hn::Sub(ax, b), s), f = hn::Mul(hn::MulAdd(hn::Sub(ax, bb), x, c), s);
     const V size = hn::Abs(x), ax_size = hn::Mul(a, size);
     const V g_size = hn::Add(hn::Add(ax_size, b_size), slack);

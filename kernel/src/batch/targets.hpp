@@ -2,4 +2,6 @@
 // between those gains nothing here. Included before anything of Highway.
 #pragma once
 
+#if !defined(HWY_DISABLED_TARGETS)
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#endif

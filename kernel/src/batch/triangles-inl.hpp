@@ -31,13 +31,14 @@ HWY_INLINE LaneMask<D> range_is_valid(D d, Lanes<D> t_min, Lanes<D> t_max) {
 }
 
 /// determinant = E1.H, u = T.H, v = d.G, distance = E2.G with E1 = b - a, E2 = c - a, T = e - a, H = d x E2, G = T x E1. Each
-/// is a sum of six monomials in components of three vectors, together at most m, the product of their sums of magnitudes; a
-/// monomial is rounded at most 7 times, so the error is below ((1 + u)^7 - 1) m < 7.001 u m, and 8 u m as computed holds it, u
-/// being the format's unit. w = whole - u - v is rounded twice more: a quarter more of the three bounds' sum holds that.
-/// Vectors lie in [low, high]: a product of three is at least low^3, so an underflow, or an input read as zero, is 2^-25 of
-/// the bound, and nothing overflows.
+/// is a sum of six monomials in components of three vectors, together at most m, the product of their sums of magnitudes. A
+/// monomial is rounded at most 5 times, and two of its factors are rounded differences, of `distance` all three: 8 roundings.
+/// determinant_error u m as computed holds them, u being the format's unit. w = whole - u - v is rounded twice more, and so is
+/// distance - t whole: combination_share of the bounds' sum holds that.
+/// Vectors lie in [low, high]: a product of three is at least low^3, so what underflows, or is read as zero, is 2^-25 u of the
+/// bound, and nothing overflows.
 /// Where a bound of the range is so small that its product underflows, or that it is read as zero, the error is far below the
-/// bound of the distance.
+/// bound of the distance. Proof: kernel/proofs/batch_triangles.g.
 template <class D, bool has_range>
 struct TriangleFilter {
   template <class Rays, class Triangles>
@@ -51,7 +52,8 @@ struct TriangleFilter {
     const V determinant = dot<D>(e1, h);
     const V nd = magnitude_sum<D>(direction), n1 = magnitude_sum<D>(e1), n2 = magnitude_sum<D>(e2),
             nt = magnitude_sum<D>(from_a);
-    const V unit = hn::Set(d, 8 * Bounds<T>::unit), k2 = hn::Mul(unit, n2), k1 = hn::Mul(unit, n1), dt = hn::Mul(nd, nt);
+    const V unit = hn::Set(d, T(determinant_error) * Bounds<T>::unit), k2 = hn::Mul(unit, n2), k1 = hn::Mul(unit, n1),
+            dt = hn::Mul(nd, nt);
     const V whole_error = hn::Mul(k2, hn::Mul(nd, n1)), u_error = hn::Mul(k2, dt), v_error = hn::Mul(k1, dt),
             distance_error = hn::Mul(k2, hn::Mul(nt, n1));
     // A sum, not a maximum, against `high`: it is NaN where one of them is.
@@ -62,7 +64,7 @@ struct TriangleFilter {
     const V u = hn::Xor(dot<D>(from_a, h), sign), v = hn::Xor(dot<D>(direction, g), sign),
             distance = hn::Xor(dot<D>(e2, g), sign);
     const V w = hn::Sub(hn::Sub(whole, u), v);
-    const V w_error = hn::Mul(hn::Set(d, T(1.25)), hn::Add(hn::Add(whole_error, u_error), v_error));
+    const V w_error = hn::Mul(hn::Set(d, T(combination_share)), hn::Add(hn::Add(whole_error, u_error), v_error));
 
     // Each beyond its error below or above zero: out where one is below, in where all are above.
     auto is_below = hn::Or(hn::Or(hn::Lt(u, hn::Neg(u_error)), hn::Lt(v, hn::Neg(v_error))), hn::Lt(w, hn::Neg(w_error)));
@@ -75,7 +77,7 @@ struct TriangleFilter {
       const V t_min = rays.get(6, i), t_max = rays.get(7, i);
       is_certain = hn::And(is_certain, range_is_valid(d, t_min, t_max));
       const auto bound_error = [&](V x) {
-        return hn::Mul(hn::Set(d, T(1.25)), hn::MulAdd(hn::Abs(x), whole_error, distance_error));
+        return hn::Mul(hn::Set(d, T(combination_share)), hn::MulAdd(hn::Abs(x), whole_error, distance_error));
       };
       include(hn::NegMulAdd(t_min, whole, distance), bound_error(t_min));
       // Without an upper end that side is as far as one likes.

@@ -20,7 +20,9 @@ namespace HWY_NAMESPACE {
 /// d.L, so that B stands for b / sqrt(A) and D for (b^2 - A C) / A.
 ///  - The length errs by 2.5 v of itself: half of what A does, and the root; each component by v more.
 ///  - B: monomials of 4 roundings and that one, together at most |L|, and the length: 7.5 v |L|; so B^2 by 15 v L.L and v.
-///  - C: 6 v S (sphere_filter.hpp), and the last difference 2 v S: 24 v S in all for D. 32 v S is taken, for C too.
+///  - C: 6 v S (sphere_filter.hpp), and the last difference 2 v S: 24 v S in all for D. unit_sphere_error, 32 v S, is taken,
+///  for C
+///    too: kernel/proofs/batch_spheres.g.
 /// What underflows, with f for `flushed`: as in spheres-inl.hpp for A = 1, that is 2^-20 of 4 v S, or 2^21 f holds it. What
 /// overflows, or is NaN, makes the bound infinite or NaN, and nothing exceeds it.
 /// Where D and C are both beyond the bound and above zero, |B| > sqrt(C) > 5 sqrt(v) |L|: its computed sign is right.
@@ -61,7 +63,7 @@ class UnitSpheres {
   }
 
  private:
-  static constexpr T bound = 16 * Bounds<T>::unit, flushed = T(0x1p21) * Bounds<T>::flushed;
+  static constexpr T bound = T(unit_sphere_error) * Bounds<T>::unit, flushed = T(0x1p21) * Bounds<T>::flushed;
 
   Vector3<D> origin_, direction_;
   V settled_;

@@ -189,7 +189,10 @@ class Builder {
   }
 
   /// What a part costs: a block is tested at once.
-  [[nodiscard]] static float blocks(std::size_t size) noexcept { return static_cast<float>((size + width - 1) / width); }
+  [[nodiscard]] static float blocks(std::size_t size) noexcept {
+    const std::size_t whole = (size + width - 1) / width;
+    return static_cast<float>(whole);
+  }
 
   Pages<Reference>& references_;
   Threads threads_;

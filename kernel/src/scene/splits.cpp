@@ -131,7 +131,7 @@ void part(const Points& corners, const Reference& whole, std::uint32_t times, Pa
     return static_cast<double>(r.high[k] - r.low[k]);
   };
   const double share = length(*one) / (length(*one) + length(*other));
-  const auto first = std::min(times - 1, static_cast<std::uint32_t>(share * static_cast<double>(times - 1) + 0.5));
+  const auto first = std::min(times - 1, static_cast<std::uint32_t>(share * static_cast<double>(times)));
   part(corners, *one, first, out);
   part(corners, *other, times - 1 - first, out);
 }
