@@ -4,8 +4,10 @@
 // --long adds larger ones to growth.
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <memory>
 #include <string>
 
 #include "bench/cgal_tree.hpp"
@@ -85,6 +87,7 @@ void race_mix(SceneRows& rows, const SceneRow& about, const Scene<float>& narrow
   std::vector<RTCRayHit> space;
   std::vector<SceneHit<float>> narrow_hits(rays.size());
   std::vector<SceneHit<double>> wide_hits(rays.size());
+  const auto flags = std::make_unique<bool[]>(rays.size());
   const auto told = [](const auto& hits) {
     return static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), [](const auto& h) { return h.is_hit(); }));
   };
@@ -97,6 +100,14 @@ void race_mix(SceneRows& rows, const SceneRow& about, const Scene<float>& narrow
     contend("Embree", each(rays, [&](const auto& r) { return fast.any(r); }));
     contend("graze float", each(rays, [&](const auto& r) { return narrow.any(r); }));
     contend("graze double", each(wide_rays, [&](const auto& r) { return wide.any(r); }));
+    contend("graze float batch", [&] {
+      narrow.any(std::span(rays), std::span(flags.get(), rays.size()), {}, Threads::mine);
+      return static_cast<std::size_t>(std::count(flags.get(), flags.get() + rays.size(), true));
+    });
+    contend("graze double batch", [&] {
+      wide.any(std::span(wide_rays), std::span(flags.get(), rays.size()), {}, Threads::mine);
+      return static_cast<std::size_t>(std::count(flags.get(), flags.get() + rays.size(), true));
+    });
   } else {
     contend("Embree robust", each(rays, [&](const auto& r) { return robust.closest(r) != RTC_INVALID_GEOMETRY_ID; }));
     contend("Embree", each(rays, [&](const auto& r) { return fast.closest(r) != RTC_INVALID_GEOMETRY_ID; }));

@@ -1,8 +1,9 @@
 // scene_campaign RAYS [SEED]: so many rays a precision at generated scenes, every answer of every query held against the
-// oracle. Every other scene has spatial splits. Exit status 1 where one is wrong.
+// oracle, and those of batches against single queries. Every other scene has spatial splits. Exit status 1 where one is wrong.
 #include <cstdio>
 #include <cstdlib>
 
+#include "fuzz/scene/batches.hpp"
 #include "fuzz/scene/truth.hpp"
 
 namespace {
@@ -23,15 +24,22 @@ bool run(std::uint64_t rays, std::uint64_t seed) {
       std::printf("scene %llu of %s is not built\n", static_cast<unsigned long long>(i), draft.family.data());
       return false;
     }
+    std::vector<Ray<T>> batch;
+    QueryOptions options;
     for (std::uint64_t r = 0; r < rays_a_scene; ++r, ++asked) {
-      const Ray<T> ray = fuzz::draft_ray(draft, random);
-      const QueryOptions options = fuzz::draft_options(draft, random);
+      const Ray<T>& ray = batch.emplace_back(fuzz::draft_ray(draft, random));
+      options = fuzz::draft_options(draft, random);
       primitives += draft.primitives.size();
       if (const auto fault = fuzz::find_scene_fault(scene, draft, ray, options)) {
         std::printf("%s, scene %llu, ray %llu of seed %llu: %s\n", draft.family.data(), static_cast<unsigned long long>(i),
                     static_cast<unsigned long long>(r), static_cast<unsigned long long>(seed), fault->c_str());
         return false;
       }
+    }
+    if (const auto fault = fuzz::find_batch_fault<T>(scene, batch, options)) {
+      std::printf("%s, scene %llu of seed %llu: %s\n", draft.family.data(), static_cast<unsigned long long>(i),
+                  static_cast<unsigned long long>(seed), fault->c_str());
+      return false;
     }
   }
   std::printf("%zu bits: %llu rays, %llu primitives asked, 0 wrong (seed %llu)\n", sizeof(T) * 8,

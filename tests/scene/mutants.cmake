@@ -98,9 +98,25 @@ graze_scene_mutant(
   end_too_early
   BY campaign
   MODELS "the ray cut off at the lower bound of the nearest hit"
-  FILE src/scene/kernels.cpp
-  FIND [[this->end_at(best.t.high);]]
-  REPLACE [[this->end_at(best.t.low);]])
+  FILE src/scene/visitors-inl.hpp
+  FIND [[this->end_at(found.t.high);]]
+  REPLACE [[this->end_at(found.t.low);]])
+
+graze_scene_mutant(
+  batch_cut_too_short
+  BY campaign
+  MODELS "a ray of a batch forgets what it enters in the last tenth before its nearest hit"
+  FILE src/scene/streams-inl.hpp
+  FIND [[kept += at > high ? 0 : 1;]]
+  REPLACE [[kept += at > 0.9f * high ? 0 : 1;]])
+
+graze_scene_mutant(
+  batch_forgets_last
+  BY campaign
+  MODELS "of a batch that is no multiple of eight the rays left over brought into box space with the eight before"
+  FILE src/scene/batches-inl.hpp
+  FIND [[ahead_.ordinary = 0;]]
+  REPLACE [[]])
 
 graze_scene_mutant(
   enclosure_too_small

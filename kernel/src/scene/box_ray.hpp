@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "numeric/dyadic.hpp"
+#include "scene/node.hpp"
 #include "scene/space.hpp"
 
 namespace graze::scene {
@@ -41,13 +42,25 @@ namespace graze::scene {
 struct BoxRay {
   float reciprocal[3];
   float near_offset[3], far_offset[3];
-  int is_backward[3] = {};                         ///< 1 where the plane met first is the high one
+  /// Of the planes met first and last, where a node has them: offsets in its bounds.
+  std::uint32_t near_row[3] = {row(0), row(1), row(2)}, far_row[3] = {row(3), row(4), row(5)};
   float high = std::numeric_limits<float>::max();  ///< s_high
   double start = 0;                                ///< tau0
   int time_exponent = 0;                           ///< tau = t 2^time_exponent
   bool is_blind = false;                           ///< meets every box
 
+  bool operator==(const BoxRay&) const = default;
+
   static constexpr float slack = 0x1p-20f;
+  [[nodiscard]] static constexpr std::uint32_t row(int i) noexcept { return static_cast<std::uint32_t>(i * width); }
+
+  void set(int axis, float r, float near, float far) noexcept {
+    reciprocal[axis] = r;
+    near_offset[axis] = near;
+    far_offset[axis] = far;
+    near_row[axis] = row(r < 0 ? axis + 3 : axis);
+    far_row[axis] = row(r < 0 ? axis : axis + 3);
+  }
 
   /// t 2^time_exponent, within 2^-52 of it; 0, subnormal or infinite where it is.
   [[nodiscard]] double tau(double t) const noexcept {
@@ -162,10 +175,7 @@ template <Real T>
     }
     const auto reciprocal = static_cast<float>(reciprocal_of_d);
     const double exact = reciprocal, size = __builtin_fabs(exact);
-    out.reciprocal[k] = reciprocal;
-    out.is_backward[k] = reciprocal < 0 ? 1 : 0;
-    out.near_offset[k] = static_cast<float>(f[k] * exact + g * size);
-    out.far_offset[k] = static_cast<float>(f[k] * exact - g * size);
+    out.set(k, reciprocal, static_cast<float>(f[k] * exact + g * size), static_cast<float>(f[k] * exact - g * size));
   }
   if (numeric::is_finite(ray.t_max)) {
     // A subnormal t_max may be read as 0.

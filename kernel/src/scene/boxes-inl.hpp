@@ -30,24 +30,38 @@ HWY_INLINE unsigned lanes_of(const std::uint32_t (&index)[width]) {
   return out;
 }
 
-/// The children whose boxes the ray meets, as bits; where it enters them to `entry`. See box_ray.hpp.
+/// Where a ray enters boxes, and which it meets.
+template <class V, class M>
+struct Entries {
+  V first;
+  M met;
+};
+
+/// Of a vector of a node's children, from the i-th on. See box_ray.hpp.
+template <class D>
+HWY_INLINE auto enter(D d, const BoxRay& ray, const Node& node, std::size_t i) {
+  auto first = hn::Zero(d), last = hn::Set(d, ray.high);
+  for (int k = 0; k < 3; ++k) {
+    const auto reciprocal = hn::Set(d, ray.reciprocal[k]);
+    const auto near = hn::Load(d, node.rows() + ray.near_row[k] + i), far = hn::Load(d, node.rows() + ray.far_row[k] + i);
+    first = hn::Max(first, hn::MulSub(near, reciprocal, hn::Set(d, ray.near_offset[k])));
+    last = hn::Min(last, hn::MulSub(far, reciprocal, hn::Set(d, ray.far_offset[k])));
+  }
+  const auto met = hn::Le(first, hn::Mul(last, hn::Set(d, 1 + BoxRay::slack)));
+  return Entries<decltype(first), decltype(hn::Le(first, last))>{first, met};
+}
+
+/// The children whose boxes the ray meets, as bits; where it enters them to `entry`.
 HWY_INLINE unsigned meet_boxes(const BoxRay& ray, const Node& node, float* HWY_RESTRICT entry) {
   const hn::CappedTag<float, width> d;
   constexpr std::size_t lanes = hn::MaxLanes(hn::CappedTag<float, width>());
-  unsigned met = 0;
+  unsigned bits = 0;
   for (std::size_t i = 0; i < width; i += lanes) {
-    auto first = hn::Zero(d), last = hn::Set(d, ray.high);
-    for (int k = 0; k < 3; ++k) {
-      const auto reciprocal = hn::Set(d, ray.reciprocal[k]);
-      const auto near = hn::Load(d, node.bounds[ray.is_backward[k]][k] + i);
-      const auto far = hn::Load(d, node.bounds[1 - ray.is_backward[k]][k] + i);
-      first = hn::Max(first, hn::MulSub(near, reciprocal, hn::Set(d, ray.near_offset[k])));
-      last = hn::Min(last, hn::MulSub(far, reciprocal, hn::Set(d, ray.far_offset[k])));
-    }
-    hn::Store(first, d, entry + i);
-    met |= bits_of_mask(d, hn::Le(first, hn::Mul(last, hn::Set(d, 1 + BoxRay::slack)))) << i;
+    const auto entries = enter(d, ray, node, i);
+    hn::Store(entries.first, d, entry + i);
+    bits |= bits_of_mask(d, entries.met) << i;
   }
-  return met;
+  return bits;
 }
 
 }  // namespace graze::scene::HWY_NAMESPACE

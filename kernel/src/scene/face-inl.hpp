@@ -7,6 +7,8 @@
 #define GRAZE_SCENE_FACE_INL
 #endif
 
+#include "rounding/quotients.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 

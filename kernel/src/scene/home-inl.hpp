@@ -6,6 +6,8 @@
 #define GRAZE_SCENE_HOME_INL
 #endif
 
+#include "scene/boxes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 

@@ -1,6 +1,7 @@
 // The queries' hot loops, compiled for each SIMD target; the machine's best is chosen when they are called.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/query.hpp"
@@ -20,11 +21,25 @@ struct QueryKernels {
   Place (*inside)(const Query<T, Tally>& query) noexcept;
 };
 
+/// The same of each ray of a span, invalid ones among them, as the single queries answer, rounded.
+template <Real T>
+struct BatchKernels {
+  void (*closest)(const Data<T>& data, std::span<const Ray<T>> rays, const QueryOptions& options,
+                  SceneHit<T>* answers) noexcept;
+  void (*any)(const Data<T>& data, std::span<const Ray<T>> rays, const QueryOptions& options, bool* answers) noexcept;
+  void (*count)(const Data<T>& data, std::span<const Ray<T>> rays, const QueryOptions& options,
+                std::uint64_t* answers) noexcept;
+  /// As box_ray, for those of eight rays whose bits are returned.
+  unsigned (*box_rays)(const Space& space, const Box& root, const Ray<T>* rays, BoxRay* out) noexcept;
+};
+
 struct Kernels {
   QueryKernels<float, Silent> silent_float;
   QueryKernels<float, Counting> counting_float;
   QueryKernels<double, Silent> silent_double;
   QueryKernels<double, Counting> counting_double;
+  BatchKernels<float> batches_float;
+  BatchKernels<double> batches_double;
   /// As rounding::face.
   TriangleHit<double> (*face)(const Ray<double>& ray, const Triangle<double>& triangle,
                               const predicates::TriangleTerms<double>& terms) noexcept;
@@ -41,6 +56,14 @@ struct Kernels {
       return silent_double;
     } else {
       return counting_double;
+    }
+  }
+  template <Real T>
+  [[nodiscard]] const BatchKernels<T>& batches() const noexcept {
+    if constexpr (std::same_as<T, float>) {
+      return batches_float;
+    } else {
+      return batches_double;
     }
   }
 };

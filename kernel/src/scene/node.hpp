@@ -25,6 +25,8 @@ class Child {
   [[nodiscard]] constexpr bool is_nothing() const noexcept { return bits_ == ~std::uint32_t(0); }
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return (bits_ & leaf) != 0; }
   [[nodiscard]] constexpr bool is_spheres() const noexcept { return (bits_ & sphere) != 0; }
+  /// 0 for a node, of which there are at most 2^30, 2 for triangles, 3 for spheres or nothing.
+  [[nodiscard]] constexpr unsigned part() const noexcept { return bits_ >> 30; }
   /// Of the node or the block.
   [[nodiscard]] constexpr std::uint32_t index() const noexcept { return bits_ & ~(leaf | sphere); }
 
@@ -46,6 +48,8 @@ struct alignas(32) Node {
     }
     children[i] = child;
   }
+  /// All bounds, row after row.
+  [[nodiscard]] const float* rows() const noexcept { return &bounds[0][0][0]; }
   /// Bits of the children that are something.
   [[nodiscard]] unsigned occupied() const noexcept {
     unsigned bits = 0;

@@ -7,31 +7,11 @@
 #include "graze/triangle.hpp"
 #include "scene/kernels.hpp"
 #include "scene/parallel.hpp"
+#include "scene/rounded.hpp"
 
 namespace graze {
 namespace scene {
 namespace {
-
-template <Real T, class Tally>
-[[nodiscard]] SceneHit<T> rounded(const Query<T, Tally>& query, const Candidate& c) noexcept {
-  query.tally.template add<&Statistics::roundings>(1);
-  SceneHit<T> hit;
-  hit.shape = c.shape;
-  hit.index = c.index;
-  if (c.shape == Shape::sphere) {
-    hit.sphere = intersect(query.ray, query.data.spheres[c.block].sphere(c.lane));
-  } else {
-    const Triangle<T> triangle = query.data.triangles[c.block].triangle(c.lane);
-    if (!c.is_face) {
-      hit.triangle = intersect(query.ray, triangle);
-    } else if constexpr (std::same_as<T, double>) {
-      hit.triangle = kernels().face(query.ray, triangle, c.terms);
-    } else {
-      hit.triangle = rounding::face(query.ray, triangle, c.terms);
-    }
-  }
-  return hit;
-}
 
 template <Real T, class Tally>
 [[nodiscard]] SceneHit<T> closest(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) noexcept {
@@ -41,7 +21,7 @@ template <Real T, class Tally>
   const Query<T, Tally> query{data, ray, options, tally};
   Candidate best;
   kernels(query).closest(query, best);
-  return best.shape == Shape::none ? answer : rounded(query, best);
+  return best.shape == Shape::none ? answer : rounded(query, best, kernels().face);
 }
 
 template <Real T, class Tally>
@@ -67,7 +47,7 @@ template <Real T, class Tally>
   std::sort(found.begin(), found.end(), [&](const auto& one, const auto& other) { return comes_before(query, one, other); });
   std::vector<SceneHit<T>> hits;
   hits.reserve(found.size());
-  for (const Candidate& c : found) hits.push_back(rounded(query, c));
+  for (const Candidate& c : found) hits.push_back(rounded(query, c, kernels().face));
   return hits;
 }
 
@@ -89,7 +69,7 @@ template <Real T>
   least.erase(last, least.end());
   std::vector<SceneHit<T>> hits;
   hits.reserve(least.size());
-  for (const Candidate& c : least) hits.push_back(rounded(query, c));
+  for (const Candidate& c : least) hits.push_back(rounded(query, c, kernels().face));
   return hits;
 }
 
@@ -109,6 +89,17 @@ template <class Question, class Answer, class Ask>
 void each(std::span<const Question> questions, std::span<Answer> answers, Threads threads, Ask ask) {
   for_ranges(std::min(questions.size(), answers.size()), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) answers[i] = ask(questions[i]);
+  });
+}
+
+/// Rays a task of those that keep many on their way at once, beside which the few of its beginning and end count little.
+constexpr std::size_t batch_grain = 1024;
+
+template <Real T, class Answer, class Ask>
+void batch(const Data<T>& data, std::span<const Ray<T>> rays, std::span<Answer> answers, const QueryOptions& options,
+           Threads threads, Ask ask) {
+  for_ranges(std::min(rays.size(), answers.size()), batch_grain, threads, [&](std::size_t begin, std::size_t end) {
+    ask(data, rays.subspan(begin, end - begin), options, answers.data() + begin);
   });
 }
 
@@ -169,16 +160,16 @@ Place Scene<T>::inside(const Vec3<T>& point, Statistics& statistics) const noexc
 template <Real T>
 void Scene<T>::closest(std::span<const Ray<T>> rays, std::span<SceneHit<T>> answers, const QueryOptions& options,
                        Threads threads) const {
-  scene::each(rays, answers, threads, [&](const Ray<T>& ray) { return closest(ray, options); });
+  scene::batch(*data_, rays, answers, options, threads, scene::kernels().batches<T>().closest);
 }
 template <Real T>
 void Scene<T>::any(std::span<const Ray<T>> rays, std::span<bool> answers, const QueryOptions& options, Threads threads) const {
-  scene::each(rays, answers, threads, [&](const Ray<T>& ray) { return any(ray, options); });
+  scene::batch(*data_, rays, answers, options, threads, scene::kernels().batches<T>().any);
 }
 template <Real T>
 void Scene<T>::count(std::span<const Ray<T>> rays, std::span<std::uint64_t> answers, const QueryOptions& options,
                      Threads threads) const {
-  scene::each(rays, answers, threads, [&](const Ray<T>& ray) { return count(ray, options); });
+  scene::batch(*data_, rays, answers, options, threads, scene::kernels().batches<T>().count);
 }
 template <Real T>
 void Scene<T>::all(std::span<const Ray<T>> rays, std::span<std::vector<SceneHit<T>>> answers, const QueryOptions& options,

@@ -7,6 +7,9 @@
 #define GRAZE_SCENE_TRIANGLES_INL
 #endif
 
+#include "scene/boxes-inl.hpp"
+#include "scene/lanes.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 

@@ -18,11 +18,11 @@ HWY_INLINE void fetch(const Data<T>& data, Child child) {
   for (int line = 0; line < 4; ++line) __builtin_prefetch(static_cast<const char*>(at) + 64 * line);
 }
 
-/// Visits the leaves that the ray meets, nearer ones first as far as their boxes tell, until visitor.leaf(child) returns true.
-/// The visitor may shorten the ray.
+/// Visits the leaves that the ray meets from `next` on, nearer ones first as far as their boxes tell, until visitor.leaf(child)
+/// returns true, and returns whether one did. The visitor may shorten the ray.
 template <Real T, class Tally, class Visitor>
-HWY_INLINE void walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor) {
-  if (query.data.nodes.empty()) return;
+HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor, Child next) {
+  if (query.data.nodes.empty()) return false;
   const Node* const nodes = query.data.nodes.data();
   struct Entry {
     Child child;
@@ -31,7 +31,6 @@ HWY_INLINE void walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
   Entry stack[deepest * (width - 1) + 1];
   Entry* top = stack;
   alignas(64) float entry[width];
-  Child next = Child::node(0);
   while (true) {
     while (!next.is_leaf()) {
       query.tally.template add<&Statistics::nodes>(1);
@@ -72,10 +71,10 @@ HWY_INLINE void walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
     }
     if (next.is_leaf()) {
       query.tally.template add<&Statistics::leaves>(1);
-      if (visitor.leaf(next)) return;
+      if (visitor.leaf(next)) return true;
     }
     do {
-      if (top == stack) return;
+      if (top == stack) return false;
       --top;
     } while (top->entry > ray.high);
     next = top->child;

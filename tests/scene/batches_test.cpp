@@ -1,0 +1,184 @@
+// Batches against single queries, bit for bit.
+#include "fuzz/scene/batches.hpp"
+
+#include <limits>
+
+#include "fuzz/scene/draft.hpp"
+#include "scene/kernels.hpp"
+#include "tests/catch.hpp"
+#include "tests/scene/each_target.hpp"
+#include "tests/support/formats.hpp"
+#include "tests/support/in_mode.hpp"
+
+namespace graze::test {
+namespace {
+
+using fuzz::Random, fuzz::SceneDraft;
+
+constexpr std::uint64_t seed = 1;
+
+/// A ray at what is hard in the scene; one in four with a number that batches have no short way for, which may be invalid.
+template <Real T>
+Ray<T> batch_ray(const SceneDraft<T>& draft, Random& random) {
+  using Limits = std::numeric_limits<T>;
+  Ray<T> ray = fuzz::draft_ray(draft, random);
+  if (!random.one_in(4)) return ray;
+  T* const numbers[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
+                        &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
+  constexpr T values[] = {0,
+                          T(-0.0),
+                          1,
+                          -1,
+                          Limits::min(),
+                          Limits::denorm_min(),
+                          -Limits::max(),
+                          Limits::infinity(),
+                          Limits::quiet_NaN(),
+                          Limits::min() * 3};
+  for (int n = random.between(1, 3); n > 0; --n) *numbers[random.below(8)] = values[random.below(10)];
+  return ray;
+}
+
+template <Real T>
+std::vector<Ray<T>> batch_rays(const SceneDraft<T>& draft, std::size_t size, Random& random) {
+  std::vector<Ray<T>> rays;
+  while (rays.size() < size) rays.push_back(batch_ray(draft, random));
+  return rays;
+}
+
+/// Calls visit(draft, scene, random) for the first scenes of the stream.
+template <Real T, class Visit>
+void each_scene(std::uint64_t scenes, Visit visit) {
+  const Random stream(seed, "batches", sizeof(T));
+  for (std::uint64_t i = 0; i < scenes; ++i) {
+    Random random = stream.at(i);
+    const SceneDraft<T> draft = fuzz::draft_scene<T>(random);
+    Scene<T> scene;
+    INFO("seed " << seed << ", scene " << i << ", " << draft.family);
+    REQUIRE(scene.build(draft.parts, {false, Threads::mine, i % 2 != 0}).ok());
+    visit(draft, scene, random);
+  }
+}
+
+TEST_CASE("Batches of every length answer as single queries do, from every target") {
+  const EachTarget targets;
+  in_both_formats([&]<Real T>() {
+    each_scene<T>(303, [&, i = std::size_t(0)](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) mutable {
+      const std::vector<Ray<T>> rays = batch_rays(draft, i % 101, random);
+      targets.choose(i++);
+      const auto fault = fuzz::find_batch_fault<T>(scene, rays, fuzz::draft_options(draft, random));
+      if (!fault) return;
+      INFO(*fault);
+      REQUIRE(!fault.has_value());
+    });
+  });
+}
+
+TEST_CASE("A batch on all threads answers as single queries do") {
+  in_both_formats([]<Real T>() {
+    each_scene<T>(4, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+      const std::vector<Ray<T>> rays = batch_rays(draft, 5000, random);
+      CHECK(fuzz::find_batch_fault<T>(scene, rays, {}, Threads::all).value_or("") == "");
+    });
+  });
+}
+
+TEST_CASE("A batch at a scene of nothing misses") {
+  in_both_formats([]<Real T>() {
+    const Scene<T> scene;
+    std::vector<Ray<T>> rays(20, {{0, 0, 0}, {1, 0, 0}});
+    rays[3].direction = {};
+    CHECK(fuzz::find_batch_fault<T>(scene, rays, {}).value_or("") == "");
+  });
+}
+
+template <Real T>
+std::vector<SceneHit<T>> closest_of(const Scene<T>& scene, const std::vector<Ray<T>>& rays) {
+  std::vector<SceneHit<T>> hits(rays.size());
+  scene.closest(std::span(rays), std::span(hits), {}, Threads::mine);
+  return hits;
+}
+
+TEST_CASE("Batches answer the same in every environment") {
+  in_both_formats([]<Real T>() {
+    each_scene<T>(40, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+      const std::vector<Ray<T>> rays = batch_rays(draft, 40, random);
+      std::vector<SceneHit<T>> expected;
+      for (const Ray<T>& ray : rays) expected.push_back(scene.closest(ray));
+      for (const Environment& environment : environments) {
+        CAPTURE(environment);
+        const std::vector<SceneHit<T>> hits = in_mode(environment, closest_of<T>, scene, rays);
+        REQUIRE(std::ranges::equal(hits, expected, [](const auto& a, const auto& b) { return fuzz::same_bits(a, b); }));
+      }
+    });
+  });
+}
+
+/// A stack of triangles: a ray through it has seven more to visit at every level.
+TEST_CASE("A ray of a batch with more to visit than its agenda holds answers as it does alone") {
+  const EachTarget targets;
+  constexpr std::uint32_t triangles = 200'000;
+  std::vector<Vec3<float>> points;
+  std::vector<Corners> corners;
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    const auto z = static_cast<float>(i);
+    points.insert(points.end(), {{-1, -1, z}, {1, -1, z}, {0, 1, z}});
+    corners.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  Scene<float> scene;
+  REQUIRE(scene.build({Mesh<float>{std::move(points), std::move(corners)}}).ok());
+  std::vector<Ray<float>> rays;
+  for (int i = 0; i < 10; ++i) {
+    const float x = 0.03125F * static_cast<float>(i);
+    rays.push_back({{x, 0, i % 2 == 0 ? -1.0F : 2 * triangles}, {0, x / triangles, i % 2 == 0 ? 1.0F : -1.0F}});
+  }
+  CHECK(scene.count(rays[0]) == triangles);
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    targets.choose(t);
+    CHECK(fuzz::find_batch_fault<float>(scene, rays, {}).value_or("") == "");
+  }
+}
+
+/// What eight rays are in box space together, they are one by one.
+TEST_CASE("Rays are brought into box space together as one by one") {
+  const EachTarget targets;
+  in_both_formats([&]<Real T>() {
+    const Random stream(seed, "box-rays", sizeof(T));
+    int ordinary = 0;
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+      Random random = stream.at(i);
+      targets.choose(i);
+      scene::Space space;
+      space.exponent = random.between(-60, 60);
+      space.scale = scene::power_of_two(space.exponent + 2);
+      for (double& x : space.quarter_origin) x = std::ldexp(random.between(-100, 100), random.between(-40, 20));
+      scene::Box root;
+      for (int k = 0; k < 3; ++k) {
+        root.low[k] = static_cast<float>(-random.between(1, 64)) / 64;
+        root.high[k] = static_cast<float>(random.between(1, 64)) / 64;
+      }
+      Ray<T> rays[8];
+      for (Ray<T>& ray : rays) {
+        const int scale = random.between(-60, 60);
+        const auto number = [&](int exponent) {
+          return random.one_in(8) ? T(0)
+                                  : std::ldexp(static_cast<T>(random.between(-1 << 20, 1 << 20)),
+                                               exponent + random.between(-90, -10) / (random.one_in(3) ? 1 : 4));
+        };
+        ray.origin = {number(-space.exponent), number(-space.exponent), number(-space.exponent)};
+        ray.direction = {number(scale), number(scale), number(scale)};
+      }
+      scene::BoxRay together[8];
+      const unsigned done = scene::kernels().template batches<T>().box_rays(space, root, rays, together);
+      for (int k = 0; k < 8; ++k) {
+        if ((done >> k & 1) == 0) continue;
+        ++ordinary;
+        REQUIRE(together[k] == scene::box_ray(space, root, rays[k]));
+      }
+    }
+    CHECK(ordinary > 8000);
+  });
+}
+
+}  // namespace
+}  // namespace graze::test
