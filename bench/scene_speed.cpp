@@ -286,6 +286,7 @@ int main(int argc, char** argv) {
     }
   }
   if (sections.empty()) sections = {"5", "growth", "lattice", "far"};
+  bench::warm_up();
   SceneRows rows;
   for (const std::string& section : sections) {
     if (section == "growth") {

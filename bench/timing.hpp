@@ -31,6 +31,12 @@ inline double thread_time() {
   return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
 }
 
+/// Keeps the processor busy: after some idle time a virtual one was seen to take a second or two until it had its speed.
+inline void warm_up() {
+  for (const double start = thread_time(); thread_time() - start < 2e9;) {
+  }
+}
+
 /// Nanoseconds a query for each contender: the median over `rounds` of one pass each, after one warm-up pass.
 inline std::vector<Timing> race(const std::vector<Contender>& contenders, int rounds) {
   volatile std::size_t sink = 0;

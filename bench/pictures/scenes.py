@@ -8,12 +8,15 @@ from .style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, pyplot, s
 LOOKS = {
     "graze float": (BLUE, "*", "-", 2.4),
     "graze double": (SKY, "P", "-", 1.6),
+    "graze float batch": (BLUE, "v", (0, (2, 2)), 1.8),
+    "graze double batch": (SKY, "h", (0, (6, 2)), 1.6),
     "Embree robust": (RED, "s", (0, (4, 2)), 1.4),
     "Embree": (ORANGE, "o", "-", 1.4),
     "Embree packets": (GREEN, "^", (0, (1, 1.5)), 1.4),
     "Embree stream": (GREY, "D", (0, (5, 2, 1, 2)), 1.4),
 }
-OTHERS = [(BLACK, "p", (0, (2, 2)), 1.4), (PURPLE, "h", (0, (6, 2)), 1.4), (BLACK, "X", "-", 1.0)]
+OTHERS = [(BLACK, "X", "-", 1.0), (PURPLE, "p", (0, (6, 2)), 1.4), (BLACK, "d", (0, (2, 2)), 1.4)]
+LEGEND = 2.1  # inches
 MIXES = ("camera", "incoherent", "occlusion")
 
 
@@ -36,7 +39,7 @@ def lines_of(rows, mix):
 
 def draw(rows, folder):
     mixes = [mix for mix in MIXES if lines_of(rows, mix)]
-    figure, all_axes = pyplot.subplots(1, len(mixes), figsize=(4.4 * len(mixes) + 1.7, 4.4), sharey=True, squeeze=False)
+    figure, all_axes = pyplot.subplots(1, len(mixes), figsize=(4.4 * len(mixes) + LEGEND, 4.4), sharey=True, squeeze=False)
     figure.suptitle("Scenes: time a ray against the number of triangles, one core", x=0.01, ha="left", fontsize=12)
     looks, others = dict(LOOKS), list(OTHERS)
     for axes, mix in zip(all_axes[0], mixes):
@@ -65,7 +68,7 @@ def draw(rows, folder):
     for axes in all_axes[0]:
         for handle, name in zip(*axes.get_legend_handles_labels()):
             found.setdefault(name, handle)
-    right = 1 - 1.7 / figure.get_size_inches()[0]
+    right = 1 - LEGEND / figure.get_size_inches()[0]
     figure.legend(found.values(), found.keys(), loc="center left", bbox_to_anchor=(right, 0.55), frameon=False, handlelength=3.2)
     figure.tight_layout(rect=(0, 0, right, 0.95))
     save(figure, folder, "scenes")
