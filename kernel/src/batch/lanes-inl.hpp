@@ -27,7 +27,7 @@ using LaneMask = hn::Mask<D>;
 
 /// The bits of a mask, lane 0 lowest.
 template <class D>
-HWY_INLINE std::uint64_t bits(D d, LaneMask<D> mask) {
+HWY_INLINE std::uint64_t bits([[maybe_unused]] D d, LaneMask<D> mask) {
 #if HWY_TARGET == HWY_AVX2
   // One instruction, where what is below takes a byte of it and widens that.
   const auto v = hn::VecFromMask(d, mask).raw;
