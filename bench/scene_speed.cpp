@@ -100,14 +100,12 @@ void race_mix(SceneRows& rows, const SceneRow& about, const Scene<float>& narrow
     contend("Embree", each(rays, [&](const auto& r) { return fast.any(r); }));
     contend("graze float", each(rays, [&](const auto& r) { return narrow.any(r); }));
     contend("graze double", each(wide_rays, [&](const auto& r) { return wide.any(r); }));
-    contend("graze float batch", [&] {
-      narrow.any(std::span(rays), std::span(flags.get(), rays.size()), {}, Threads::mine);
-      return static_cast<std::size_t>(std::count(flags.get(), flags.get() + rays.size(), true));
-    });
-    contend("graze double batch", [&] {
-      wide.any(std::span(wide_rays), std::span(flags.get(), rays.size()), {}, Threads::mine);
-      return static_cast<std::size_t>(std::count(flags.get(), flags.get() + rays.size(), true));
-    });
+    const auto met = [&flags](const auto& scene, const auto& asked) {
+      scene.any(std::span(asked), std::span(flags.get(), asked.size()), {}, Threads::mine);
+      return static_cast<std::size_t>(std::count(flags.get(), flags.get() + asked.size(), true));
+    };
+    contend("graze float batch", [&, met] { return met(narrow, rays); });
+    contend("graze double batch", [&, met] { return met(wide, wide_rays); });
   } else {
     contend("Embree robust", each(rays, [&](const auto& r) { return robust.closest(r) != RTC_INVALID_GEOMETRY_ID; }));
     contend("Embree", each(rays, [&](const auto& r) { return fast.closest(r) != RTC_INVALID_GEOMETRY_ID; }));

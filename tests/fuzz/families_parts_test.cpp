@@ -10,9 +10,12 @@
 #include "fuzz/families/integer.hpp"
 #include "fuzz/random.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/times_power.hpp"
 
 namespace graze::fuzz::construct {
 namespace {
+
+using test::times_power;
 
 mpz_class to_mpz(Int n) {
   const auto whole = static_cast<UnsignedInt>(magnitude(n));
@@ -20,15 +23,6 @@ mpz_class to_mpz(Int n) {
   value <<= 64;
   value += static_cast<unsigned long>(whole);
   return n < 0 ? mpz_class(-value) : value;
-}
-
-mpq_class times_power(mpq_class value, int exponent) {
-  if (exponent >= 0) {
-    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  } else {
-    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  }
-  return value;
 }
 
 template <Real T>

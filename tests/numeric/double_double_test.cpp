@@ -10,6 +10,7 @@
 #include "tests/support/bit_patterns.hpp"
 #include "tests/support/hex.hpp"
 #include "tests/support/in_mode.hpp"
+#include "tests/support/times_power.hpp"
 
 namespace graze::test {
 namespace {
@@ -20,16 +21,6 @@ constexpr std::uint64_t seed = 106;
 
 mpq_class value_of(const Pair& a) {
   return mpq_class(a.hi) + mpq_class(a.lo);
-}
-
-mpq_class times_power(const mpq_class& x, int exponent) {
-  mpq_class y;
-  if (exponent >= 0) {
-    mpq_mul_2exp(y.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  } else {
-    mpq_div_2exp(y.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  }
-  return y;
 }
 
 double random_double(fuzz::Random& random, int spread) {

@@ -8,6 +8,7 @@
 #include "tests/support/bit_patterns.hpp"
 #include "tests/support/hex.hpp"
 #include "tests/support/in_mode.hpp"
+#include "tests/support/times_power.hpp"
 
 namespace graze::test {
 namespace {
@@ -28,12 +29,7 @@ std::int64_t steps_of(const Question& question) {
 
 /// x / 2^exponent.
 mpq_class in_units(double x, int exponent) {
-  mpq_class value(x);
-  if (exponent >= 0)
-    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else
-    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return value;
+  return times_power(x, -exponent);
 }
 bool is_multiple(double x, int exponent) {
   return in_units(x, exponent).get_den() == 1;

@@ -2,6 +2,7 @@
 #include "fuzz/same_bits.hpp"
 #include "fuzz/scene/truth.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/each_scene.hpp"
 #include "tests/scene/each_target.hpp"
 #include "tests/support/formats.hpp"
 #include "tests/support/in_mode.hpp"
@@ -11,26 +12,15 @@ namespace {
 
 using fuzz::Random, fuzz::SceneDraft;
 
-constexpr std::uint64_t seed = 1;
-
-/// Calls visit(draft, scene, random) for the first scenes of the stream.
 template <Real T, class Visit>
-void each_scene(std::uint64_t scenes, Visit visit) {
-  const Random stream(seed, "scene-test", sizeof(T));
-  for (std::uint64_t i = 0; i < scenes; ++i) {
-    Random random = stream.at(i);
-    const SceneDraft<T> draft = fuzz::draft_scene<T>(random);
-    Scene<T> scene;
-    INFO("seed " << seed << ", scene " << i << ", " << draft.family);
-    REQUIRE(scene.build(draft.parts).ok());
-    REQUIRE(scene.size() == draft.primitives.size());
-    visit(draft, scene, random);
-  }
+void each_plain_scene(std::uint64_t scenes, Visit visit) {
+  each_scene<T>(
+      "scene-test", scenes, [](std::uint64_t) { return BuildOptions{}; }, visit);
 }
 
 TEST_CASE("A scene answers what every primitive by itself answers") {
   in_both_formats([]<Real T>() {
-    each_scene<T>(400, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+    each_plain_scene<T>(400, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
       for (int r = 0; r < 20; ++r) {
         const Ray<T> ray = fuzz::draft_ray(draft, random);
         const auto fault = fuzz::find_scene_fault(scene, draft, ray, fuzz::draft_options(draft, random));
@@ -63,7 +53,7 @@ BuildStatus build(Scene<T>& scene, const std::vector<Part<T>>& parts) {
 
 TEST_CASE("Every environment gives the same answers, whichever the scene was built in") {
   in_both_formats([]<Real T>() {
-    each_scene<T>(60, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+    each_plain_scene<T>(60, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
       std::vector<Ray<T>> rays;
       for (int r = 0; r < 12; ++r) rays.push_back(fuzz::draft_ray(draft, random));
       for (const Environment& environment : environments) {
@@ -85,7 +75,7 @@ TEST_CASE("Every target gives the same answers") {
   const EachTarget targets;
   CHECK(targets.size() > 1);
   in_both_formats([&]<Real T>() {
-    each_scene<T>(60, [&](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+    each_plain_scene<T>(60, [&](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
       for (int r = 0; r < 20; ++r) {
         const Ray<T> ray = fuzz::draft_ray(draft, random);
         targets.choose(0);
@@ -104,7 +94,7 @@ TEST_CASE("Every target gives the same answers") {
 
 TEST_CASE("Spans of rays are answered like single rays, on one thread or all") {
   in_both_formats([]<Real T>() {
-    each_scene<T>(10, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+    each_plain_scene<T>(10, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
       std::vector<Ray<T>> rays;
       for (int r = 0; r < 200; ++r) rays.push_back(fuzz::draft_ray(draft, random));
       rays[7].direction = {};

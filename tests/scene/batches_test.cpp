@@ -6,6 +6,7 @@
 #include "fuzz/scene/draft.hpp"
 #include "scene/kernels.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/each_scene.hpp"
 #include "tests/scene/each_target.hpp"
 #include "tests/support/formats.hpp"
 #include "tests/support/in_mode.hpp"
@@ -46,37 +47,35 @@ std::vector<Ray<T>> batch_rays(const SceneDraft<T>& draft, std::size_t size, Ran
   return rays;
 }
 
-/// Calls visit(draft, scene, random) for the first scenes of the stream.
+/// Every other scene has spatial splits.
 template <Real T, class Visit>
-void each_scene(std::uint64_t scenes, Visit visit) {
-  const Random stream(seed, "batches", sizeof(T));
-  for (std::uint64_t i = 0; i < scenes; ++i) {
-    Random random = stream.at(i);
-    const SceneDraft<T> draft = fuzz::draft_scene<T>(random);
-    Scene<T> scene;
-    INFO("seed " << seed << ", scene " << i << ", " << draft.family);
-    REQUIRE(scene.build(draft.parts, {false, Threads::mine, i % 2 != 0}).ok());
-    visit(draft, scene, random);
-  }
+void each_batch_scene(std::uint64_t scenes, Visit visit) {
+  each_scene<T>(
+      "batches", scenes,
+      [](std::uint64_t i) {
+        return BuildOptions{false, Threads::mine, i % 2 != 0};
+      },
+      visit);
 }
 
 TEST_CASE("Batches of every length answer as single queries do, from every target") {
   const EachTarget targets;
   in_both_formats([&]<Real T>() {
-    each_scene<T>(303, [&, i = std::size_t(0)](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) mutable {
-      const std::vector<Ray<T>> rays = batch_rays(draft, i % 101, random);
-      targets.choose(i++);
-      const auto fault = fuzz::find_batch_fault<T>(scene, rays, fuzz::draft_options(draft, random));
-      if (!fault) return;
-      INFO(*fault);
-      REQUIRE(!fault.has_value());
-    });
+    each_batch_scene<T>(303,
+                        [&, i = std::size_t(0)](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) mutable {
+                          const std::vector<Ray<T>> rays = batch_rays(draft, i % 101, random);
+                          targets.choose(i++);
+                          const auto fault = fuzz::find_batch_fault<T>(scene, rays, fuzz::draft_options(draft, random));
+                          if (!fault) return;
+                          INFO(*fault);
+                          REQUIRE(!fault.has_value());
+                        });
   });
 }
 
 TEST_CASE("A batch on all threads answers as single queries do") {
   in_both_formats([]<Real T>() {
-    each_scene<T>(4, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+    each_batch_scene<T>(4, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
       const std::vector<Ray<T>> rays = batch_rays(draft, 5000, random);
       CHECK(fuzz::find_batch_fault<T>(scene, rays, {}, Threads::all).value_or("") == "");
     });
@@ -101,7 +100,7 @@ std::vector<SceneHit<T>> closest_of(const Scene<T>& scene, const std::vector<Ray
 
 TEST_CASE("Batches answer the same in every environment") {
   in_both_formats([]<Real T>() {
-    each_scene<T>(40, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
+    each_batch_scene<T>(40, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {
       const std::vector<Ray<T>> rays = batch_rays(draft, 40, random);
       std::vector<SceneHit<T>> expected;
       for (const Ray<T>& ray : rays) expected.push_back(scene.closest(ray));

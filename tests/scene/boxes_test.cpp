@@ -11,22 +11,13 @@
 #include "tests/scene/each_target.hpp"
 #include "tests/support/formats.hpp"
 #include "tests/support/in_mode.hpp"
+#include "tests/support/times_power.hpp"
 
 namespace graze::test {
 namespace {
 
 using fuzz::Random;
 using scene::Box, scene::BoxRay, scene::Node, scene::Space;
-
-mpq_class power(int exponent) {
-  mpq_class p = 1;
-  if (exponent >= 0) {
-    mpq_mul_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  } else {
-    mpq_div_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  }
-  return p;
-}
 
 /// The least t at which the exact ray is in the box; false where there is none.
 template <Real T>
@@ -37,7 +28,7 @@ bool meets_exactly(const Space& space, const Box& box, const Ray<T>& ray, mpq_cl
   if (has_exit) exit = static_cast<double>(ray.t_max);
   const std::array<T, 3> e{ray.origin.x, ray.origin.y, ray.origin.z}, d{ray.direction.x, ray.direction.y, ray.direction.z};
   for (int k = 0; k < 3; ++k) {
-    const mpq_class unit = power(-space.exponent);
+    const mpq_class unit = times_power(1, -space.exponent);
     const mpq_class low =
         4 * mpq_class(space.quarter_origin[k]) + unit * static_cast<double>(box.low[k]) - static_cast<double>(e[k]);
     const mpq_class high =
@@ -120,10 +111,11 @@ Ray<T> choose_ray(const Space& space, const Box& box, Random& random) {
   const int distance = random.one_in(8) ? 1 << random.between(0, 30) : random.between(-2, 5);
   for (int k = 0; k < 3; ++k) {
     const float p = random.one_in(2) ? box.low[k] : random.one_in(4) ? (box.low[k] + box.high[k]) / 2 : box.high[k];
-    const mpq_class target = 4 * mpq_class(space.quarter_origin[k]) + power(-space.exponent) * static_cast<double>(p);
+    const mpq_class target = 4 * mpq_class(space.quarter_origin[k]) + times_power(1, -space.exponent) * static_cast<double>(p);
     // So many directions' lengths of 1 / 2^j the target is away.
-    const mpq_class step =
-        random.one_in(5) ? mpq_class(0) : mpq_class(power(random.between(-3, 3) - space.exponent) * random.between(-9, 9));
+    const mpq_class step = random.one_in(5)
+                               ? mpq_class(0)
+                               : mpq_class(times_power(1, random.between(-3, 3) - space.exponent) * random.between(-9, 9));
     d[k] = near<T>(step, random);
     if (random.one_in(6)) d[k] = 0;
     if (random.one_in(12)) d[k] = static_cast<T>(random.sign()) * std::numeric_limits<T>::denorm_min();
@@ -133,7 +125,7 @@ Ray<T> choose_ray(const Space& space, const Box& box, Random& random) {
     // From the space's origin, where offsets are zero and only relative errors are left.
     for (int k = 0; k < 3; ++k) {
       e[k] = static_cast<T>(4 * space.quarter_origin[k]);
-      d[k] = near<T>(power(-space.exponent) * static_cast<double>(box.low[k]) * random.between(1, 3), random);
+      d[k] = near<T>(times_power(1, -space.exponent) * static_cast<double>(box.low[k]) * random.between(1, 3), random);
     }
   }
   Ray<T> ray{{e[0], e[1], e[2]}, {d[0], d[1], d[2]}};
@@ -203,7 +195,7 @@ TEST_CASE("A shape lies in its box") {
     for (std::uint64_t i = 0; i < 4000; ++i) {
       Random random = stream.at(i);
       const Space space = choose_space<T>(random);
-      const mpq_class unit = power(-space.exponent);
+      const mpq_class unit = times_power(1, -space.exponent);
       std::array<T, 4> x{};
       for (T& c : x) c = near<T>(unit * static_cast<double>(choose_coordinate(random)), random);
       const T radius = std::fabs(x[3]);

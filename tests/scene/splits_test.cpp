@@ -11,21 +11,13 @@
 #include "scene/build.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/formats.hpp"
+#include "tests/support/times_power.hpp"
 
 namespace graze::test {
 namespace {
 
 using fuzz::Random;
 using scene::Pages, scene::Reference;
-
-mpq_class scaled(mpq_class x, int exponent) {
-  if (exponent >= 0) {
-    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  } else {
-    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  }
-  return x;
-}
 
 using Place3 = std::array<mpq_class, 3>;
 
@@ -35,7 +27,7 @@ Place3 place_of(const scene::Space& space, const Vec3<T>& p) {
   const std::array<T, 3> x{p.x, p.y, p.z};
   Place3 out;
   for (int k = 0; k < 3; ++k) {
-    out[k] = scaled(mpq_class(static_cast<double>(x[k])) - 4 * mpq_class(space.quarter_origin[k]), space.exponent);
+    out[k] = times_power(mpq_class(static_cast<double>(x[k])) - 4 * mpq_class(space.quarter_origin[k]), space.exponent);
   }
   return out;
 }

@@ -30,10 +30,9 @@ struct Bounds<double> {
 };
 
 /// Of the lanes' own forms, in units of the sums of magnitudes that each file names. Proved in kernel/proofs/batch_*.g.
-inline constexpr float determinant_error = 9;  ///< triangles-inl.hpp: a determinant
-inline constexpr float combination_share =
-    1.25;                                   ///< triangles-inl.hpp: what a sum of determinants takes of the sum of their bounds
-inline constexpr float sphere_c_error = 8;  ///< spheres-inl.hpp: C
+inline constexpr float determinant_error = 9;           ///< triangles-inl.hpp: a determinant
+inline constexpr float combination_share = 1.25;        ///< the same: of the bounds' sum, what a sum of determinants takes
+inline constexpr float sphere_c_error = 8;              ///< spheres-inl.hpp: C
 inline constexpr float sphere_discriminant_error = 32;  ///< spheres-inl.hpp: D
 inline constexpr float sphere_place_error = 8;          ///< spheres-inl.hpp: a number against the roots
 inline constexpr float unit_sphere_error = 16;          ///< unit_spheres-inl.hpp: C and D, in rounding to nearest

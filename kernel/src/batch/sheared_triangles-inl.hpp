@@ -27,10 +27,9 @@ namespace HWY_NAMESPACE {
 ///  - T: |U| <= (q_B + q_C) / 2. Each term passes 4 roundings and the error of its weight: (5.9 + 2) u Q Z = 8 u Q Z.
 ///  - U + V + W: every q twice, and two roundings: 14 u Q. With a bound x dz = X of the range, T - X (U + V + W) errs by
 ///    8 u Q Z, 14 u Q |X|, 2 u Q |X| for X and the product, and u (Q Z / 2 + Q |X|) for the difference: 9 u Q (Z + 2 |X|).
-/// So E = sheared_error u Q does for the weights, and for the distance, squared to save the root, E^2 z >= (9 u Q Z)^2, or E^2
-/// (2 z + 3 X^2)
-/// >= (9 u Q (Z + 2 |X|))^2 by (x + y)^2 <= 2 x^2 + 2 y^2, with a twentieth to spare for a dozen roundings of their own. Proof:
-/// kernel/proofs/batch_sheared.g.
+/// So E = sheared_error u Q does for the weights. For the distance, squared to save the root, E^2 z >= (9 u Q Z)^2, and with a
+/// bound X of the range E^2 (2 z + 3 X^2) >= (9 u Q (Z + 2 |X|))^2 by (x + y)^2 <= 2 x^2 + 2 y^2, with a twentieth to spare for
+/// a dozen roundings of their own. Proof: kernel/proofs/batch_sheared.g.
 ///
 /// What underflows: with f for `flushed`, U errs by 60 f (1 + Q) more and T by 4 f Q, 200 f (1 + Q) Z and 6 f. With z at least
 /// `least_z`, E holds the first, and E sqrt(z) what of T's goes with Q; 6 f and 200 f Z are in `least_square` (where Z is

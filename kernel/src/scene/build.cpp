@@ -105,7 +105,7 @@ void build(Data<T>& data, const BuildOptions& options) {
   data.root = Box::empty();
   if (data.size() == 0) return;
   Pages<Reference> references = references_of(data, threads);
-  for (const Reference& r : references) include(data.root, r);
+  for (const Reference& r : references) data.root.include(r.box());
   if (options.spatial_splits) split(data, references);
   std::unique_ptr<Draft> draft = divide(references, data.root, threads);
   Sizes sizes, written;

@@ -57,11 +57,17 @@ template <Real T>
   return {mesh.points[a], mesh.points[b], mesh.points[c]};
 }
 
+/// The primitive, which is a triangle, as it is now.
+template <Real T>
+[[nodiscard]] inline Triangle<T> triangle_of(const Data<T>& data, std::uint32_t primitive) noexcept {
+  const std::uint32_t part = data.part_of(primitive);
+  return triangle_of(std::get<Mesh<T>>(data.parts[part]), primitive - data.first[part]);
+}
+
 /// The primitive as it is now.
 template <Real T>
 inline void load(const Data<T>& data, TriangleBlock<T>& block, int lane, std::uint32_t primitive) noexcept {
-  const std::uint32_t part = data.part_of(primitive);
-  block.set(lane, triangle_of(std::get<Mesh<T>>(data.parts[part]), primitive - data.first[part]), primitive);
+  block.set(lane, triangle_of(data, primitive), primitive);
 }
 template <Real T>
 inline void load(const Data<T>& data, SphereBlock<T>& block, int lane, std::uint32_t primitive) noexcept {

@@ -16,7 +16,7 @@ namespace graze::scene::HWY_NAMESPACE {
 /// monotonic in their bounds. Of a triangle that is met there is such a leaf: the one around the hit. For rays that are not
 /// shortened on their way.
 template <Real T>
-HWY_NOINLINE bool is_home(const Data<T>& data, const BoxRay& ray, std::uint32_t primitive, std::uint32_t block) {
+HWY_NOINLINE bool is_home_of_listed(const Data<T>& data, const BoxRay& ray, std::uint32_t primitive, std::uint32_t block) {
   auto at = std::lower_bound(data.listings.begin(), data.listings.end(), primitive,
                              [](const Listing& one, std::uint32_t index) { return one.primitive < index; });
   if (at == data.listings.end() || at->primitive != primitive) return true;
@@ -27,6 +27,12 @@ HWY_NOINLINE bool is_home(const Data<T>& data, const BoxRay& ray, std::uint32_t 
     if (is_met && entry[at->slot] <= ray.high) return node.children[at->slot].index() == block;
   }
   return false;
+}
+
+/// The same; without spatial splits every block is the only one.
+template <Real T>
+HWY_INLINE bool is_home(const Data<T>& data, const BoxRay& ray, std::uint32_t primitive, std::uint32_t block) {
+  return HWY_LIKELY(data.listings.empty()) || is_home_of_listed(data, ray, primitive, block);
 }
 
 /// Of some lanes of a block those that are counted there.

@@ -40,6 +40,7 @@ struct alignas(16) Reference {
   }
   /// Twice that.
   [[nodiscard]] Four center() const noexcept { return low_corner() + high_corner(); }
+  [[nodiscard]] Box box() const noexcept { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 };
 
 /// A box that grows.
@@ -53,10 +54,6 @@ struct Hull {
   void include(const Hull& other) noexcept { include(other.low, other.high); }
   [[nodiscard]] Box box() const noexcept { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 };
-
-inline void include(Box& box, const Reference& r) noexcept {
-  box.include({{r.low[0], r.low[1], r.low[2]}, {r.high[0], r.high[1], r.high[2]}});
-}
 
 template <Real T>
 [[nodiscard]] Pages<Reference> references_of(const Data<T>& data, Threads threads) {

@@ -14,8 +14,7 @@ using Points = std::array<Point, 3>;
 
 template <Real T>
 [[nodiscard]] Points points_of(const Data<T>& data, std::uint32_t primitive) noexcept {
-  const std::uint32_t part = data.part_of(primitive);
-  const Triangle<T> triangle = triangle_of(std::get<Mesh<T>>(data.parts[part]), primitive - data.first[part]);
+  const Triangle<T> triangle = triangle_of(data, primitive);
   Points out;
   int i = 0;
   for (const Vec3<T>& p : {triangle.a, triangle.b, triangle.c}) {
@@ -28,13 +27,12 @@ template <Real T>
 /// What a box has more than the many small ones that a triangle would come to: half of its surface less half the absolute
 /// components of the edges' cross product. The cube root of that, so that the greatest do not take all.
 [[nodiscard]] float waste(const Points& p, const Reference& r) noexcept {
-  const Box box{{r.low[0], r.low[1], r.low[2]}, {r.high[0], r.high[1], r.high[2]}};
   double ideal = 0;
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     ideal += 0.5 * std::fabs((p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]));
   }
-  const float rest = box.half_area() - static_cast<float>(ideal);
+  const float rest = r.box().half_area() - static_cast<float>(ideal);
   return rest > 0x1p-60f ? std::cbrt(rest) : 0;
 }
 

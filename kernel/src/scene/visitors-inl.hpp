@@ -67,7 +67,7 @@ class HitVisitor {
 
   /// Of a triangle in several leaves, whether this is the one to count it.
   [[nodiscard]] HWY_INLINE bool is_counted_here(const Candidate& found) const {
-    return HWY_LIKELY(query_.data.listings.empty()) || is_home(query_.data, rays_.box, found.index, found.block);
+    return found.shape == Shape::sphere || is_home(query_.data, rays_.box, found.index, found.block);
   }
 
   Rays<T> rays_;
@@ -159,11 +159,12 @@ class HitVisitor {
     return false;
   }
 
-  /// A triangle's, where the query wants it, so that it need not be copied: what is copied right after it was written by parts
+  /// A shape's, where the query wants it, so that it need not be copied: what is copied right after it was written by parts
   /// has to wait for them.
-  [[nodiscard]] HWY_INLINE Candidate& candidate(const TriangleBlock<T>& block, std::uint32_t number, int i) {
+  template <class Block>
+  [[nodiscard]] HWY_INLINE Candidate& candidate(const Block& block, std::uint32_t number, int i) {
     Candidate& found = self().space();
-    found.shape = Shape::triangle;
+    found.shape = std::same_as<Block, SphereBlock<T>> ? Shape::sphere : Shape::triangle;
     found.is_face = found.is_integer = false;
     found.lane = static_cast<std::uint8_t>(i);
     found.block = number;
@@ -197,12 +198,7 @@ class HitVisitor {
         query_.tally.template add<&Statistics::exact_decisions>(1);
         if (!exact::hits(query_.ray, sphere)) continue;
       }
-      Candidate& found = self().space();
-      found.shape = Shape::sphere;
-      found.is_face = found.is_integer = false;
-      found.lane = static_cast<std::uint8_t>(i);
-      found.block = number;
-      found.index = block.index[i];
+      Candidate& found = candidate(block, number, i);
       if (Derived::wants_t) {
         found.t = is_certain ? enclose(query_.ray, sphere, terms, verdict) : exact::enclose_first(query_.ray, sphere);
       }
@@ -230,10 +226,7 @@ struct CountVisitor : HitVisitor<T, Tally, CountVisitor<T, Tally>> {
   std::uint64_t sum = 0;
   Candidate one;
   Candidate& space() { return one; }
-  bool hit(const Candidate& found) {
-    const bool is_counted = found.shape == Shape::sphere || this->is_counted_here(found);
-    return hits(is_counted ? 1 : 0);
-  }
+  bool hit(const Candidate& found) { return hits(this->is_counted_here(found) ? 1 : 0); }
   bool hits(unsigned n) {
     sum += n;
     return false;
@@ -276,7 +269,7 @@ struct CollectVisitor : HitVisitor<T, Tally, CollectVisitor<T, Tally>> {
   bool hit(const Candidate& candidate) {
     if (candidate.t.low > this->end_) return false;
     // Where the ray is shortened on its way, repeats are for the caller to drop.
-    if (!only_closest && candidate.shape == Shape::triangle && !this->is_counted_here(candidate)) return false;
+    if (!only_closest && !this->is_counted_here(candidate)) return false;
     found.push_back(candidate);
     if (only_closest && candidate.t.high < this->end_) {
       this->end_at(candidate.t.high);
