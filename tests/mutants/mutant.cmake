@@ -59,8 +59,8 @@ function(graze_depends_on source file result)
   set(${result} FALSE PARENT_SCOPE)
 endfunction()
 
-# Writes the kernel's file with the one occurrence of a text replaced.
-function(graze_write_mutated name file find replace path)
+# Writes the kernel's file with the one occurrence of a text replaced, alone in the folder `overlay`.
+function(graze_write_mutated name file find replace overlay)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${kernel_dir}/${file})
   file(READ ${kernel_dir}/${file} text)
   string(FIND "${text}" "${find}" first)
@@ -70,8 +70,14 @@ function(graze_write_mutated name file find replace path)
                         "bring tests/mutants/table.cmake up to date:\n${find}")
   endif()
   string(REPLACE "${find}" "${replace}" mutated "${text}")
+  # What a mutant of this name has left that was of another file.
+  file(GLOB_RECURSE others ${overlay}/include/* ${overlay}/src/*)
+  list(REMOVE_ITEM others ${overlay}/${file})
+  if(others)
+    file(REMOVE ${others})
+  endif()
   # Only what has changed is written, or every configuration would build all mutants again.
-  file(CONFIGURE OUTPUT ${path} CONTENT "${mutated}" @ONLY)
+  file(CONFIGURE OUTPUT ${overlay}/${file} CONTENT "${mutated}" @ONLY)
 endfunction()
 
 # The fuzz targets of cases over a mutated kernel, to see which bugs they find: tests/mutants/measure.sh builds and runs them.
@@ -87,7 +93,7 @@ endfunction()
 function(graze_mutant name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "FMA" "MODELS;FILE;FIND;REPLACE;OPTIONS" "")
   set(overlay ${CMAKE_CURRENT_BINARY_DIR}/${name})
-  graze_write_mutated(${name} ${arg_FILE} "${arg_FIND}" "${arg_REPLACE}" ${overlay}/${arg_FILE})
+  graze_write_mutated(${name} ${arg_FILE} "${arg_FIND}" "${arg_REPLACE}" ${overlay})
   separate_arguments(options UNIX_COMMAND "${arg_OPTIONS}")
   set(mutated)
   set(objects)

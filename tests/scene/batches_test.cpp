@@ -138,46 +138,5 @@ TEST_CASE("A ray of a batch with more to visit than its agenda holds answers as 
   }
 }
 
-/// What eight rays are in box space together, they are one by one.
-TEST_CASE("Rays are brought into box space together as one by one") {
-  const EachTarget targets;
-  in_both_formats([&]<Real T>() {
-    const Random stream(seed, "box-rays", sizeof(T));
-    int ordinary = 0;
-    for (std::uint64_t i = 0; i < 4000; ++i) {
-      Random random = stream.at(i);
-      targets.choose(i);
-      scene::Space space;
-      space.exponent = random.between(-60, 60);
-      space.scale = scene::power_of_two(space.exponent + 2);
-      for (double& x : space.quarter_origin) x = std::ldexp(random.between(-100, 100), random.between(-40, 20));
-      scene::Box root;
-      for (int k = 0; k < 3; ++k) {
-        root.low[k] = static_cast<float>(-random.between(1, 64)) / 64;
-        root.high[k] = static_cast<float>(random.between(1, 64)) / 64;
-      }
-      Ray<T> rays[8];
-      for (Ray<T>& ray : rays) {
-        const int scale = random.between(-60, 60);
-        const auto number = [&](int exponent) {
-          return random.one_in(8) ? T(0)
-                                  : std::ldexp(static_cast<T>(random.between(-1 << 20, 1 << 20)),
-                                               exponent + random.between(-90, -10) / (random.one_in(3) ? 1 : 4));
-        };
-        ray.origin = {number(-space.exponent), number(-space.exponent), number(-space.exponent)};
-        ray.direction = {number(scale), number(scale), number(scale)};
-      }
-      scene::BoxRay together[8];
-      const unsigned done = scene::kernels().template batches<T>().box_rays(space, root, rays, together);
-      for (int k = 0; k < 8; ++k) {
-        if ((done >> k & 1) == 0) continue;
-        ++ordinary;
-        REQUIRE(together[k] == scene::box_ray(space, root, rays[k]));
-      }
-    }
-    CHECK(ordinary > 8000);
-  });
-}
-
 }  // namespace
 }  // namespace graze::test

@@ -46,12 +46,23 @@ bool meets_exactly(const Space& space, const Box& box, const Ray<T>& ray, mpq_cl
   return !has_exit || entry <= exit;
 }
 
+/// As the target has it, which is to be what box_ray says; or one that meets nothing.
+template <Real T>
+BoxRay checked_box_ray(const Space& space, const Box& root, const Ray<T>& ray) {
+  const BoxRay one = scene::kernels().template batches<T>().box_ray(space, root, ray);
+  if (one == scene::box_ray(space, root, ray)) return one;
+  BoxRay wrong = one;
+  wrong.high = -1;
+  wrong.is_blind = true;
+  return wrong;
+}
+
 template <Real T>
 bool meets(const Space& space, const Box& root, const Box& box, const Ray<T>& ray, double end) {
   Node node;
   for (int i = 0; i < scene::width; ++i) node.set(i, Box::empty(), scene::Child::nothing());
   node.set(5, box, scene::Child::node(1));
-  BoxRay box_ray = scene::box_ray(space, root, ray);
+  BoxRay box_ray = checked_box_ray(space, root, ray);
   box_ray.end_at(end);
   float entry[scene::width];
   const unsigned met = scene::kernels().meet_boxes(box_ray, node, entry);

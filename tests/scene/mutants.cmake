@@ -19,15 +19,15 @@ foreach(part campaign corpus truth)
   target_link_libraries(scene_mutant_${part} PRIVATE graze_judge graze::graze)
 endforeach()
 
-# graze_scene_mutant(NAME BY campaign|corpus MODELS sentence FILE file FIND text REPLACE text); without a file it is the control, which
-# must not be caught.
+# graze_scene_mutant(NAME BY campaign|corpus MODELS sentence FILE file FIND text REPLACE text [FMA]); without a file it is the control,
+# which must not be caught. FMA: what is mutated is compiled for AVX2 and FMA, and only tested on processors that have them.
 function(graze_scene_mutant name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "BY;MODELS;FILE;FIND;REPLACE" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FMA" "BY;MODELS;FILE;FIND;REPLACE" "")
   set(overlay ${CMAKE_CURRENT_BINARY_DIR}/${name})
   set(mutated)
   set(objects $<TARGET_OBJECTS:scene_mutant_${arg_BY}> $<TARGET_OBJECTS:scene_mutant_truth>)
   if(arg_FILE)
-    graze_write_mutated(${name} ${arg_FILE} "${arg_FIND}" "${arg_REPLACE}" ${overlay}/${arg_FILE})
+    graze_write_mutated(${name} ${arg_FILE} "${arg_FIND}" "${arg_REPLACE}" ${overlay})
   endif()
   foreach(source ${scene_sources})
     set(is_mutated FALSE)
@@ -44,7 +44,7 @@ function(graze_scene_mutant name)
     endif()
   endforeach()
   if(mutated)
-    graze_kernel_objects(mutated_scene_${name} OPTIONS ${scene_options} INCLUDES ${overlay}/include ${overlay}/src ${kernel_includes}
+    graze_kernel_objects(mutated_scene_${name} OPTIONS ${scene_options} $<$<BOOL:${arg_FMA}>:-march=haswell> INCLUDES ${overlay}/include ${overlay}/src ${kernel_includes}
                          SOURCES ${mutated})
     list(APPEND objects $<TARGET_OBJECTS:mutated_scene_${name}>)
   endif()
@@ -59,8 +59,12 @@ function(graze_scene_mutant name)
   endif()
   if(arg_FILE)
     # By a shell: a program that ends itself fails a test whatever it says.
-    add_test(NAME "scene: ${name} is caught" COMMAND sh -c "\"$@\" 2>&1; true" sh $<TARGET_FILE:mutant_scene_${name}> ${arguments})
-    set_tests_properties("scene: ${name} is caught" PROPERTIES TIMEOUT 120 PASS_REGULAR_EXPRESSION "${sentence}")
+    set(ask "\"$@\" 2>&1; true")
+    if(arg_FMA)
+      set(ask "{ grep -qw fma /proc/cpuinfo && grep -qw avx2 /proc/cpuinfo; } || exit 77; ${ask}")
+    endif()
+    add_test(NAME "scene: ${name} is caught" COMMAND sh -c "${ask}" sh $<TARGET_FILE:mutant_scene_${name}> ${arguments})
+    set_tests_properties("scene: ${name} is caught" PROPERTIES TIMEOUT 120 PASS_REGULAR_EXPRESSION "${sentence}" SKIP_RETURN_CODE 77)
   else()
     add_test(NAME "scene: the kernel itself is not caught by the ${arg_BY}" COMMAND mutant_scene_${name} ${arguments})
     set_tests_properties("scene: the kernel itself is not caught by the ${arg_BY}" PROPERTIES TIMEOUT 120)
@@ -113,18 +117,18 @@ graze_scene_mutant(
 graze_scene_mutant(
   batch_forgets_last
   BY campaign
-  MODELS "of a batch that is no multiple of eight the rays left over brought into box space with the eight before"
-  FILE src/scene/batches-inl.hpp
-  FIND [[ahead_.ordinary = 0;]]
-  REPLACE [[]])
+  MODELS "the answer of the last ray of a batch not written"
+  FILE src/scene/streams-inl.hpp
+  FIND [[if (slot.number < n_) batch_.finish]]
+  REPLACE [[if (slot.number + 1 < n_) batch_.finish]])
 
 graze_scene_mutant(
   enclosure_too_small
   BY campaign
   MODELS "the enclosure of a triangle's t without the determinant's error"
   FILE src/scene/enclose.hpp
-  FIND [[(terms.distance_error + size * terms.error)]]
-  REPLACE [[(0x1p-30 * terms.distance_error)]])
+  FIND [[(distance_error + size * whole_error)]]
+  REPLACE [[(0x1p-30 * distance_error)]])
 
 graze_scene_mutant(
   parity_skips_corner
@@ -163,3 +167,28 @@ graze_scene_mutant(
   FILE src/scene/splits.cpp
   FIND [[const bool is_crossing = std::min]]
   REPLACE [[const bool is_crossing = false && std::min]])
+
+graze_scene_mutant(
+  face_bounds_forgotten
+  BY campaign
+  MODELS "a face's numbers on lanes taken for exact"
+  FILE src/scene/visitors-inl.hpp
+  FIND [[found.bounds = {share * error, share * distance_error, is_front};]]
+  REPLACE [[found.bounds = {0 * share * error, 0 * share * distance_error, is_front};]]
+  FMA)
+
+graze_scene_mutant(
+  inside_counts_twice
+  BY corpus
+  MODELS "inside counts a triangle in several leaves in each that is met"
+  FILE src/scene/inside-inl.hpp
+  FIND [[verdicts.face = at_home(query_.data, box_, block, number, verdicts.face & lanes);]]
+  REPLACE [[verdicts.face &= lanes;]])
+
+graze_scene_mutant(
+  split_lists_twice
+  BY campaign
+  MODELS "a leaf that holds two parts of a triangle lists it twice"
+  FILE src/scene/build.cpp
+  FIND [[leaf.end = static_cast<std::uint32_t>(last - references.begin());]]
+  REPLACE [[static_cast<void>(last);]])

@@ -10,7 +10,7 @@ using predicates::TriangleTerms;
 
 Quotients quotients(const Ray<float>&, const Triangle<float>&, const TriangleTerms<double>& terms) noexcept {
   const double d = terms.whole;
-  return with_errors(Lanes{terms.distance / d, terms.u / d, terms.v / d, 0}, Lanes{}, d, terms, 1, quotient_error);
+  return with_errors(Lanes{terms.distance / d, terms.u / d, terms.v / d, 0}, Lanes{}, d, bounds_of(terms), 1, quotient_error);
 }
 
 /// The determinants of TriangleTerms in double-double, from differences that are exact.
@@ -23,7 +23,7 @@ Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, co
   const PairLanes n = normalised(sums(e2 * g, t * h, d * g, e1 * h));
   const PairLanes determinant{__builtin_shufflevector(n.hi, n.hi, 3, 3, 3, 3), __builtin_shufflevector(n.lo, n.lo, 3, 3, 3, 3)};
   const PairLanes q = n / determinant;
-  return with_pair_errors(q.hi, q.lo, determinant.hi[0], terms);
+  return with_pair_errors(q.hi, q.lo, determinant.hi[0], bounds_of(terms));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ TriangleHit<T> face(const Ray<T>& ray, const Triangle<T>& triangle, const Triang
   if (!numeric::rounds_to_nearest()) return exact::intersect(ray, triangle);
   const Quotients q = quotients(ray, triangle, terms);
   TriangleHit<T> hit;
-  return round_certainly(q, terms, hit) ? hit : exact::intersect(ray, triangle);
+  return round_certainly(q, bounds_of(terms), hit) ? hit : exact::intersect(ray, triangle);
 }
 
 template TriangleHit<float> face(const Ray<float>&, const Triangle<float>&, const TriangleTerms<double>&) noexcept;

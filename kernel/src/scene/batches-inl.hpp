@@ -6,10 +6,7 @@
 #define GRAZE_SCENE_BATCHES_INL
 #endif
 
-#include "exact/validate.hpp"
-#include "scene/box_rays-inl.hpp"
-#include "scene/face-inl.hpp"
-#include "scene/rounded.hpp"
+#include "scene/rounded-inl.hpp"
 #include "scene/streams-inl.hpp"
 #include "scene/visitors-inl.hpp"
 
@@ -25,32 +22,21 @@ class Batch {
       : data_(data), rays_(rays), options_(options), tell_(tell), reject_(reject) {}
 
   struct Asked {
-    template <class... Ahead>
-    Asked(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, const Ahead&... ahead)
-        : query{data, ray, options, {}}, visitor(query, ahead...) {}
+    Asked(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, bool is_plain)
+        : query{data, ray, options, {}}, visitor(query, is_plain) {}
     Query<T, Silent> query;
     Visitor visitor;
   };
 
-  /// Makes the visitor of ray i, which comes after ray i - 1; false where it needs none.
+  /// Makes the visitor of ray i; false where it needs none.
   HWY_INLINE bool start(void* at, std::size_t i) {
-    constexpr std::size_t size = BoxRays::size;
-    const std::size_t lane = i % size;
-    if (lane == 0) {
-      ahead_.ordinary = 0;
-      if (i + size <= rays_.size()) box_rays(data_.space, data_.root, rays_.data() + i, ahead_);
-    }
     const Ray<T>& ray = rays_[i];
-    if (HWY_LIKELY((ahead_.ordinary >> lane & 1) != 0)) {
-      start_ordinary(at, ray, static_cast<int>(lane));
-      return true;
-    }
-    const Status status = exact::status_of(ray, true, false);
-    if (status != Status::ok) {
+    const auto [is_plain, status] = admit(ray);
+    if (HWY_UNLIKELY(status != Status::ok)) {
       reject_(i, status);
       return false;
     }
-    new (at) Asked(data_, ray, options_);
+    new (at) Asked(data_, ray, options_, is_plain);
     return true;
   }
   HWY_INLINE void finish(Asked& asked, std::size_t i) { tell_(i, asked.query, asked.visitor); }
@@ -58,16 +44,11 @@ class Batch {
   void run() { Streams<Asked, T, Batch>(data_, rays_.size(), *this).run(); }
 
  private:
-  HWY_NOINLINE HWY_FLATTEN void start_ordinary(void* at, const Ray<T>& ray, int lane) const {
-    new (at) Asked(data_, ray, options_, ahead_, lane);
-  }
-
   const Data<T>& data_;
   std::span<const Ray<T>> rays_;
   const QueryOptions& options_;
   const Tell& tell_;
   const Reject& reject_;
-  BoxRays ahead_;
 };
 
 template <class Visitor, Real T, class Tell, class Reject>
@@ -82,12 +63,8 @@ void closest_of_each(const Data<T>& data, std::span<const Ray<T>> rays, const Qu
   ask<ClosestVisitor<T, Silent>>(
       data, rays, options,
       [&](std::size_t i, const auto& query, const auto& visitor) HWY_ATTR {
-        if (visitor.best().shape == Shape::none) {
-          answers[i] = {};
-        } else {
-          // Made in its place: see HitVisitor::candidate.
-          new (&answers[i]) SceneHit<T>(rounded(query, visitor.best(), face));
-        }
+        answers[i] = {};
+        if (visitor.best().shape != Shape::none) round_to(answers[i], query, visitor.best());
       },
       [&](std::size_t i, Status status) { answers[i] = {.status = status}; });
 }

@@ -40,18 +40,28 @@ namespace graze::scene {
 ///
 /// All inputs of the float operations are normal or zero, so denormals-are-zero changes nothing.
 struct BoxRay {
-  float reciprocal[3];
-  float near_offset[3], far_offset[3];
+  /// Of three axes; the fourth number lets vectors be stored.
+  float reciprocal[4], near_offset[4], far_offset[4];
   /// Of the planes met first and last, where a node has them: offsets in its bounds.
-  std::uint32_t near_row[3] = {row(0), row(1), row(2)}, far_row[3] = {row(3), row(4), row(5)};
+  std::uint32_t near_row[4] = {row(0), row(1), row(2)}, far_row[4] = {row(3), row(4), row(5)};
   float high = std::numeric_limits<float>::max();  ///< s_high
   double start = 0;                                ///< tau0
   int time_exponent = 0;                           ///< tau = t 2^time_exponent
   bool is_blind = false;                           ///< meets every box
 
-  bool operator==(const BoxRay&) const = default;
+  [[nodiscard]] bool operator==(const BoxRay& other) const noexcept {
+    bool is_equal =
+        high == other.high && start == other.start && time_exponent == other.time_exponent && is_blind == other.is_blind;
+    for (int k = 0; k < 3; ++k) {
+      is_equal &= reciprocal[k] == other.reciprocal[k] && near_offset[k] == other.near_offset[k] &&
+                  far_offset[k] == other.far_offset[k] && near_row[k] == other.near_row[k] && far_row[k] == other.far_row[k];
+    }
+    return is_equal;
+  }
 
   static constexpr float slack = 0x1p-20f;
+  /// Rays whose origin is no farther off in box space are followed from there: the floats lose little.
+  static constexpr double near_by = 4;
   [[nodiscard]] static constexpr std::uint32_t row(int i) noexcept { return static_cast<std::uint32_t>(i * width); }
 
   void set(int axis, float r, float near, float far) noexcept {
@@ -68,6 +78,23 @@ struct BoxRay {
     const int first = std::clamp(time_exponent / 2, -1000, 1000), second = std::clamp(time_exponent - first, -1000, 1000);
     const int third = std::clamp(time_exponent - first - second, -1000, 1000);
     return t * power_of_two(first) * power_of_two(second) * power_of_two(third);
+  }
+
+  /// At most the tau of t_min. Every hit has |tau| <= 2^41, so clamping at 2^60 loses none. A subnormal t_min may be read as 0,
+  /// which is 2^-1022 off.
+  template <Real T>
+  [[nodiscard]] double first_tau(const Ray<T>& ray) const noexcept {
+    if (numeric::magnitude_bits(ray.t_min) == 0) return 0;
+    const double first = tau(to_double(ray.t_min));
+    const double error = 0x1p-50 * __builtin_fabs(first) + tau(0x1p-1021) + 0x1p-1000;
+    return std::clamp(first - error, -0x1p60, 0x1p60);
+  }
+  template <Real T>
+  void end_with(const Ray<T>& ray) noexcept {
+    if (!numeric::is_finite(ray.t_max)) return;
+    // A subnormal t_max may be read as 0.
+    const double t_max = to_double(ray.t_max);
+    end_at(__builtin_fabs(t_max) < 0x1p-1021 ? 0x1p-1020 : t_max);
   }
 
   /// From now on boxes that are entered after t are not met. t is normal, zero or infinite.
@@ -140,14 +167,8 @@ template <Real T>
   }
   double r[3];
   for (int k = 0; k < 3; ++k) r[k] = 1 / direction.d[k];
-  // Every hit has |tau| <= 2^41, so clamping at 2^60 loses none. A subnormal t_min may be read as 0, which is 2^-1022 off.
-  double start = 0;
-  if (numeric::magnitude_bits(ray.t_min) != 0) {
-    const double tau = out.tau(to_double(ray.t_min));
-    const double error = 0x1p-50 * __builtin_fabs(tau) + out.tau(0x1p-1021) + 0x1p-1000;
-    start = std::clamp(tau - error, -0x1p60, 0x1p60);
-  }
-  if (far > 1 || start != 0) {
+  double start = out.first_tau(ray);
+  if (far > BoxRay::near_by || start != 0) {
     for (int k = 0; k < 3; ++k) {
       const double d = direction.d[k];
       if (__builtin_fabs(d) < 0x1p-30) continue;
@@ -177,11 +198,7 @@ template <Real T>
     const double exact = reciprocal, size = __builtin_fabs(exact);
     out.set(k, reciprocal, static_cast<float>(f[k] * exact + g * size), static_cast<float>(f[k] * exact - g * size));
   }
-  if (numeric::is_finite(ray.t_max)) {
-    // A subnormal t_max may be read as 0.
-    const double t_max = to_double(ray.t_max);
-    out.end_at(__builtin_fabs(t_max) < 0x1p-1021 ? 0x1p-1020 : t_max);
-  }
+  out.end_with(ray);
   return out;
 }
 

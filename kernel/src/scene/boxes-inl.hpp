@@ -19,6 +19,16 @@ HWY_INLINE unsigned bits_of_mask(D d, M mask) {
   return bytes[0];
 }
 
+/// Numbers as doubles, a vector of them.
+template <class D>
+HWY_INLINE auto load_as_double(D d, const double* from) {
+  return hn::LoadU(d, from);
+}
+template <class D>
+HWY_INLINE auto load_as_double(D d, const float* from) {
+  return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
+}
+
 /// The lanes that hold a primitive.
 HWY_INLINE unsigned lanes_of(const std::uint32_t (&index)[width]) {
   const hn::CappedTag<std::uint32_t, width> d;
@@ -37,27 +47,45 @@ struct Entries {
   M met;
 };
 
-/// Of a vector of a node's children, from the i-th on. See box_ray.hpp.
+/// A ray as many boxes at once see it.
 template <class D>
-HWY_INLINE auto enter(D d, const BoxRay& ray, const Node& node, std::size_t i) {
-  auto first = hn::Zero(d), last = hn::Set(d, ray.high);
-  for (int k = 0; k < 3; ++k) {
-    const auto reciprocal = hn::Set(d, ray.reciprocal[k]);
-    const auto near = hn::Load(d, node.rows() + ray.near_row[k] + i), far = hn::Load(d, node.rows() + ray.far_row[k] + i);
-    first = hn::Max(first, hn::MulSub(near, reciprocal, hn::Set(d, ray.near_offset[k])));
-    last = hn::Min(last, hn::MulSub(far, reciprocal, hn::Set(d, ray.far_offset[k])));
+struct RayAtBoxes {
+  using V = hn::Vec<D>;
+  V reciprocal[3], near_offset[3], far_offset[3];
+  std::uint32_t near_row[3], far_row[3];
+
+  HWY_INLINE explicit RayAtBoxes(const BoxRay& ray) {
+    const D d;
+    for (int k = 0; k < 3; ++k) {
+      reciprocal[k] = hn::Set(d, ray.reciprocal[k]);
+      near_offset[k] = hn::Set(d, ray.near_offset[k]);
+      far_offset[k] = hn::Set(d, ray.far_offset[k]);
+      near_row[k] = ray.near_row[k];
+      far_row[k] = ray.far_row[k];
+    }
   }
-  const auto met = hn::Le(first, hn::Mul(last, hn::Set(d, 1 + BoxRay::slack)));
-  return Entries<decltype(first), decltype(hn::Le(first, last))>{first, met};
-}
+
+  /// Of a vector of a node's children, from the i-th on; `high` is the ray's. See box_ray.hpp.
+  HWY_INLINE auto enter(const Node& node, float high, std::size_t i) const {
+    const D d;
+    V first = hn::Zero(d), last = hn::Set(d, high);
+    for (int k = 0; k < 3; ++k) {
+      first = hn::Max(first, hn::MulSub(hn::Load(d, node.rows() + near_row[k] + i), reciprocal[k], near_offset[k]));
+      last = hn::Min(last, hn::MulSub(hn::Load(d, node.rows() + far_row[k] + i), reciprocal[k], far_offset[k]));
+    }
+    const auto met = hn::Le(first, hn::Mul(last, hn::Set(d, 1 + BoxRay::slack)));
+    return Entries<V, decltype(hn::Le(first, last))>{first, met};
+  }
+};
+using BoxLanes = hn::CappedTag<float, width>;
 
 /// The children whose boxes the ray meets, as bits; where it enters them to `entry`.
-HWY_INLINE unsigned meet_boxes(const BoxRay& ray, const Node& node, float* HWY_RESTRICT entry) {
-  const hn::CappedTag<float, width> d;
-  constexpr std::size_t lanes = hn::MaxLanes(hn::CappedTag<float, width>());
+HWY_INLINE unsigned meet_boxes(const RayAtBoxes<BoxLanes>& ray, float high, const Node& node, float* HWY_RESTRICT entry) {
+  const BoxLanes d;
+  constexpr std::size_t lanes = hn::MaxLanes(BoxLanes());
   unsigned bits = 0;
   for (std::size_t i = 0; i < width; i += lanes) {
-    const auto entries = enter(d, ray, node, i);
+    const auto entries = ray.enter(node, high, i);
     hn::Store(entries.first, d, entry + i);
     bits |= bits_of_mask(d, entries.met) << i;
   }

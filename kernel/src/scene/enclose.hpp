@@ -11,11 +11,13 @@ using exact::Enclosure;
 
 /// t = distance / whole where the determinant's sign is certain. With numbers n, d within a, b of the true ones, d > b, the
 /// quotients differ by at most (a + |n/d| b) / (d - b). Nothing here is near overflow or underflow (numeric/filter.hpp).
-[[nodiscard]] inline Enclosure enclose(const predicates::TriangleTerms<double>& terms) noexcept {
-  const double t = terms.distance / terms.whole, size = numeric::magnitude(t);
-  const double error =
-      (terms.distance_error + size * terms.error) / (terms.whole - terms.error) * (1 + 0x1p-40) + size * 0x1p-50;
+[[nodiscard]] inline Enclosure enclose(double distance, double whole, double distance_error, double whole_error) noexcept {
+  const double t = distance / whole, size = numeric::magnitude(t), scale = (1 + 0x1p-40) / (whole - whole_error);
+  const double error = (distance_error + size * whole_error) * scale + size * 0x1p-50;
   return {t - error, t + error};
+}
+[[nodiscard]] inline Enclosure enclose(const predicates::TriangleTerms<double>& terms) noexcept {
+  return enclose(terms.distance, terms.whole, terms.distance_error, terms.error);
 }
 
 /// The first root in the range of a secant that the filter is sure of, by q = B + sgn+(B) sqrt(D): q / A is the root farther

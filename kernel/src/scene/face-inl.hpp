@@ -1,5 +1,5 @@
-// Per target: rounding/face.cpp in double on four lanes with FMA, where the target has both; elsewhere that itself. Included
-// anew for each target by kernels.cpp.
+// Per target: rounding/face.cpp, on four lanes with FMA where the target has both. Included anew for each target by
+// kernels.cpp.
 #if defined(GRAZE_SCENE_FACE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_SCENE_FACE_INL
 #undef GRAZE_SCENE_FACE_INL
@@ -8,6 +8,7 @@
 #endif
 
 #include "rounding/quotients.hpp"
+#include "scene/boxes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
@@ -80,40 +81,108 @@ HWY_INLINE FourPairs sums(const FourPairs& a, const FourPairs& b, const FourPair
   return sum(sum({hi.first, lo.first}, {hi.second, lo.second}), sum({hi.third, lo.third}, {hi.fourth, lo.fourth}));
 }
 
-HWY_INLINE FourLanes four(const Vec3<double>& v) {
-  alignas(32) const double lanes[4] = {v.x, v.y, v.z, 0};
-  return hn::Load(Four(), lanes);
+/// x, y, z and a fourth number.
+HWY_INLINE FourLanes set(double x, double y, double z) {
+  const Four d;
+  return hn::ConcatLowerLower(d, hn::Set(d, z), hn::InterleaveLower(d, hn::Set(d, x), hn::Set(d, y)));
+}
+HWY_INLINE FourLanes set(float x, float y, float z) {
+  const hn::Rebind<float, Four> d;
+  return hn::PromoteTo(Four(), hn::ConcatLowerLower(d, hn::Set(d, z), hn::InterleaveLower(d, hn::Set(d, x), hn::Set(d, y))));
+}
+template <Real T>
+HWY_INLINE FourLanes vector(const Vec3<T>& v) {
+  return set(v.x, v.y, v.z);
+}
+template <Real T>
+HWY_INLINE FourLanes corner(const TriangleBlock<T>& block, int lane, int c) {
+  return set(block.corners[c][0][lane], block.corners[c][1][lane], block.corners[c][2][lane]);
 }
 
-HWY_NOINLINE HWY_FLATTEN TriangleHit<double> face(const Ray<double>& ray, const Triangle<double>& triangle,
-                                                  const predicates::TriangleTerms<double>& terms) noexcept {
-  if (!numeric::rounds_to_nearest()) return exact::intersect(ray, triangle);
-  const FourLanes a = four(triangle.a), d = four(ray.direction);
-  const FourPairs e1 = two_difference(four(triangle.b), a), e2 = two_difference(four(triangle.c), a);
-  const FourPairs t = two_difference(four(ray.origin), a), h = cross(d, e2), g = cross(t, e1);
+/// t, u, v of a block's triangle in whose face the ray is known to hit it; false where they are not certain.
+HWY_INLINE bool round_face(const Ray<double>& ray, const TriangleBlock<double>& block, int lane,
+                           const rounding::FaceBounds& bounds, TriangleHit<double>& hit) {
+  const Four f;
+  const auto xyz = [f](FourLanes v) HWY_ATTR { return hn::IfThenElseZero(hn::FirstN(f, 3), v); };
+  const FourLanes a = xyz(corner(block, lane, 0)), d = xyz(vector(ray.direction));
+  const FourPairs e1 = two_difference(xyz(corner(block, lane, 1)), a), e2 = two_difference(xyz(corner(block, lane, 2)), a);
+  const FourPairs t = two_difference(xyz(vector(ray.origin)), a), h = cross(d, e2), g = cross(t, e1);
   const FourPairs unnormalised = sums(product(e2, g), product(t, h), product(d, g), product(e1, h));
   const FourPairs n = two_sum(unnormalised.hi, unnormalised.lo);
   alignas(32) double hi[4], lo[4];
-  hn::Store(n.hi, Four(), hi);
-  hn::Store(n.lo, Four(), lo);
+  hn::Store(n.hi, f, hi);
+  hn::Store(n.lo, f, lo);
   const double determinant = hi[3];
-  const FourLanes d_hi = hn::Set(Four(), hi[3]), d_lo = hn::Set(Four(), lo[3]), q = hn::Div(n.hi, d_hi);
+  const FourLanes d_hi = hn::Set(f, hi[3]), d_lo = hn::Set(f, lo[3]), q = hn::Div(n.hi, d_hi);
   const FourPairs p = product(q, d_hi);
   const FourLanes rest = hn::Add(hn::Sub(hn::Sub(n.hi, p.hi), p.lo), hn::Sub(n.lo, hn::Mul(q, d_lo)));
-  hn::Store(q, Four(), hi);
-  hn::Store(hn::Div(rest, d_hi), Four(), lo);
+  hn::Store(q, f, hi);
+  hn::Store(hn::Div(rest, d_hi), f, lo);
   using numeric::Lanes;
-  TriangleHit<double> hit;
   const rounding::Quotients quotients =
-      rounding::with_pair_errors(Lanes{hi[0], hi[1], hi[2], 0}, Lanes{lo[0], lo[1], lo[2], 0}, determinant, terms);
-  return rounding::round_certainly(quotients, terms, hit) ? hit : exact::intersect(ray, triangle);
+      rounding::with_pair_errors(Lanes{hi[0], hi[1], hi[2], 0}, Lanes{lo[0], lo[1], lo[2], 0}, determinant, bounds);
+  return rounding::round_certainly(quotients, bounds, hit);
+}
+
+HWY_INLINE FourLanes cross(FourLanes a, FourLanes b) {
+  return rotated(hn::MulSub(a, rotated(b), hn::Mul(rotated(a), b)));
+}
+/// Of each of the four the sum of its first three lanes.
+HWY_INLINE FourLanes sums(FourLanes a, FourLanes b, FourLanes c, FourLanes d) {
+  const Four f;
+  const FourLanes ab_even = hn::InterleaveLower(f, a, b), ab_odd = hn::InterleaveUpper(f, a, b);
+  const FourLanes cd_even = hn::InterleaveLower(f, c, d), cd_odd = hn::InterleaveUpper(f, c, d);
+  return hn::Add(hn::Add(hn::ConcatLowerLower(f, cd_even, ab_even), hn::ConcatLowerLower(f, cd_odd, ab_odd)),
+                 hn::ConcatUpperUpper(f, cd_even, ab_even));
+}
+
+/// The same for float, from determinants in double: rounding::with_errors and rounding::rounds_certainly on lanes.
+HWY_INLINE bool round_face(const Ray<float>& ray, const TriangleBlock<float>& block, int lane,
+                           const rounding::FaceBounds& bounds, TriangleHit<float>& hit) {
+  const Four f;
+  const hn::Rebind<float, Four> narrow;
+  const auto set_all = [f](double x) HWY_ATTR { return hn::Set(f, x); };
+  const FourLanes a = corner(block, lane, 0), d = vector(ray.direction);
+  const FourLanes e1 = hn::Sub(corner(block, lane, 1), a), e2 = hn::Sub(corner(block, lane, 2), a);
+  const FourLanes t = hn::Sub(vector(ray.origin), a), h = cross(d, e2), g = cross(t, e1);
+  // The distance, u, v and the determinant.
+  const FourLanes n = sums(hn::Mul(e2, g), hn::Mul(t, h), hn::Mul(d, g), hn::Mul(e1, h));
+  const FourLanes determinant = hn::ConcatUpperUpper(f, n, n), whole = hn::InterleaveUpper(f, determinant, determinant);
+  const FourLanes q = hn::Div(n, whole), size = hn::Abs(q), whole_size = hn::Abs(whole);
+  const FourLanes scale = hn::Div(set_all(1 + rounding::second_order), whole_size);
+  const FourLanes n_error = hn::IfThenElse(hn::FirstN(f, 1), set_all(bounds.distance_error), set_all(bounds.error));
+  const FourLanes error =
+      hn::MulAdd(hn::MulAdd(size, set_all(bounds.error), n_error), scale, hn::Mul(size, set_all(rounding::quotient_error)));
+  const FourLanes margin =
+      hn::MulAdd(error, set_all(1 + rounding::margin_share), hn::Mul(size, set_all(rounding::float_sum_error)));
+  const auto below = hn::DemoteTo(narrow, hn::Sub(q, margin)), above = hn::DemoteTo(narrow, hn::Add(q, margin));
+  const auto is_bounded = hn::Gt(whole_size, set_all(rounding::certainty * bounds.error));
+  const auto is_ordinary = hn::And(hn::Gt(size, set_all(0x1p-125)), hn::Lt(size, set_all(0x1p126)));
+  const unsigned certain = bits_of_mask(narrow, hn::Eq(below, above)) & bits_of_mask(f, hn::And(is_ordinary, is_bounded));
+  alignas(16) float numbers[4];
+  hn::Store(below, narrow, numbers);
+  hit.t = hit.t_end = numbers[0];
+  hit.u = numbers[1];
+  hit.v = numbers[2];
+  hit.kind = TriangleKind::face;
+  hit.facing = bounds.is_front ? Facing::front : Facing::back;
+  return (certain & 7) == 7;
+}
+
+template <Real T>
+HWY_NOINLINE HWY_FLATTEN void face(const Ray<T>& ray, const TriangleBlock<T>& block, int lane,
+                                   const rounding::FaceBounds& bounds, TriangleHit<T>& hit) noexcept {
+  if (HWY_LIKELY(numeric::rounds_to_nearest() && round_face(ray, block, lane, bounds, hit))) return;
+  hit = exact::intersect(ray, block.triangle(lane));
 }
 
 #else
 
-TriangleHit<double> face(const Ray<double>& ray, const Triangle<double>& triangle,
-                         const predicates::TriangleTerms<double>& terms) noexcept {
-  return rounding::face(ray, triangle, terms);
+template <Real T>
+void face(const Ray<T>& ray, const TriangleBlock<T>& block, int lane, const rounding::FaceBounds&,
+          TriangleHit<T>& hit) noexcept {
+  const Triangle<T> triangle = block.triangle(lane);
+  hit = rounding::face(ray, triangle, predicates::triangle_terms<double>(ray, triangle));
 }
 
 #endif

@@ -23,7 +23,7 @@ HWY_NOINLINE bool is_home_of_listed(const Data<T>& data, const BoxRay& ray, std:
   alignas(64) float entry[width];
   for (; at != data.listings.end() && at->primitive == primitive; ++at) {
     const Node& node = data.nodes[at->node];
-    const bool is_met = (meet_boxes(ray, node, entry) >> at->slot & 1) != 0;
+    const bool is_met = (meet_boxes(RayAtBoxes<BoxLanes>(ray), ray.high, node, entry) >> at->slot & 1) != 0;
     if (is_met && entry[at->slot] <= ray.high) return node.children[at->slot].index() == block;
   }
   return false;

@@ -21,7 +21,7 @@ namespace graze::scene::HWY_NAMESPACE {
 template <Real T, class Tally>
 class InsideVisitor {
  public:
-  explicit InsideVisitor(const Query<T, Tally>& query) : query_(query), rays_(rays_of(query.data, query.ray)) {}
+  explicit InsideVisitor(const Query<T, Tally>& query) : query_(query), rays_(query.data, query.ray, is_plain(query.ray)) {}
 
   [[nodiscard]] HWY_INLINE Place place() {
     walk(query_, box_, *this, Child::node(0));

@@ -19,26 +19,41 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 
 template <Real T, class Tally>
-void closest(const Query<T, Tally>& query, Candidate& best) noexcept {
-  ClosestVisitor<T, Tally> visitor(query);
+void closest(const Query<T, Tally>& query, SceneHit<T>& answer) noexcept {
+  const auto [is_plain, status] = admit(query.ray);
+  answer.status = status;
+  if (HWY_UNLIKELY(status != Status::ok)) return;
+  ClosestVisitor<T, Tally> visitor(query, is_plain);
   visitor.run();
-  best = visitor.best();
+  if (visitor.best().shape != Shape::none) round_to(answer, query, visitor.best());
 }
 template <Real T, class Tally>
 bool any(const Query<T, Tally>& query) noexcept {
-  AnyVisitor<T, Tally> visitor(query);
+  const auto [is_plain, status] = admit(query.ray);
+  if (HWY_UNLIKELY(status != Status::ok)) return false;
+  AnyVisitor<T, Tally> visitor(query, is_plain);
   visitor.run();
   return visitor.is_hit;
 }
 template <Real T, class Tally>
 std::uint64_t count(const Query<T, Tally>& query) noexcept {
-  CountVisitor<T, Tally> visitor(query);
+  const auto [is_plain, status] = admit(query.ray);
+  if (HWY_UNLIKELY(status != Status::ok)) return 0;
+  CountVisitor<T, Tally> visitor(query, is_plain);
   visitor.run();
   return visitor.sum;
 }
 template <Real T, class Tally>
 void collect(const Query<T, Tally>& query, bool only_closest, std::vector<Candidate>& found) {
-  CollectVisitor<T, Tally>(query, only_closest, found).run();
+  const auto [is_plain, status] = admit(query.ray);
+  if (status != Status::ok) return;
+  CollectVisitor<T, Tally>(query, is_plain, only_closest, found).run();
+}
+template <Real T, class Tally>
+SceneHit<T> rounded(const Query<T, Tally>& query, const Candidate& candidate) noexcept {
+  SceneHit<T> hit;
+  round_to(hit, query, candidate);
+  return hit;
 }
 template <Real T, class Tally>
 Place inside(const Query<T, Tally>& query) noexcept {
@@ -47,25 +62,24 @@ Place inside(const Query<T, Tally>& query) noexcept {
 
 unsigned children_met(const BoxRay& ray, const Node& node, float* entry) noexcept {
   alignas(64) float at[width];
-  const unsigned met = meet_boxes(ray, node, at);
+  const unsigned met = meet_boxes(RayAtBoxes<BoxLanes>(ray), ray.high, node, at);
   for (int i = 0; i < width; ++i) entry[i] = at[i];
   return met;
 }
 
 template <Real T>
-unsigned all_box_rays(const Space& space, const Box& root, const Ray<T>* rays, BoxRay* out) noexcept {
-  BoxRays together;
-  box_rays(space, root, rays, together);
-  for (int i = 0; i < BoxRays::size; ++i) out[i] = together[i];
-  return together.ordinary;
+BoxRay box_ray_of(const Space& space, const Box& root, const Ray<T>& ray) noexcept {
+  BoxRay out;
+  bring(space, root, ray, is_plain(ray), out);
+  return out;
 }
 
 template <Real T, class Tally>
-constexpr QueryKernels<T, Tally> query_kernels{closest<T, Tally>, any<T, Tally>, count<T, Tally>, collect<T, Tally>,
-                                               inside<T, Tally>};
+constexpr QueryKernels<T, Tally> query_kernels{closest<T, Tally>, any<T, Tally>,     count<T, Tally>,
+                                               collect<T, Tally>, rounded<T, Tally>, inside<T, Tally>};
 
 template <Real T>
-constexpr BatchKernels<T> batch_kernels{closest_of_each<T>, any_of_each<T>, count_of_each<T>, all_box_rays<T>};
+constexpr BatchKernels<T> batch_kernels{closest_of_each<T>, any_of_each<T>, count_of_each<T>, box_ray_of<T>};
 
 const Kernels& target_kernels() {
   static constexpr Kernels table{query_kernels<float, Silent>,
@@ -74,7 +88,6 @@ const Kernels& target_kernels() {
                                  query_kernels<double, Counting>,
                                  batch_kernels<float>,
                                  batch_kernels<double>,
-                                 face,
                                  children_met};
   return table;
 }

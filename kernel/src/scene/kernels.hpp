@@ -8,16 +8,17 @@
 
 namespace graze::scene {
 
-/// The hits of a ray, nothing rounded; all answers are exact, so they are the same from every target.
+/// The hits of a ray, none of an invalid one; all answers are exact, so they are the same from every target.
 template <Real T, class Tally>
 struct QueryKernels {
-  /// The closest; shape none for a miss.
-  void (*closest)(const Query<T, Tally>& query, Candidate& best) noexcept;
+  /// The closest, rounded, and the ray's status, to an answer that says miss.
+  void (*closest)(const Query<T, Tally>& query, SceneHit<T>& answer) noexcept;
   bool (*any)(const Query<T, Tally>& query) noexcept;
   std::uint64_t (*count)(const Query<T, Tally>& query) noexcept;
   /// All, in no order; or those alone that may share the least t. Throws std::bad_alloc.
   void (*collect)(const Query<T, Tally>& query, bool only_closest, std::vector<Candidate>& found);
-  /// The ray is {point, +x} and the scene closed.
+  SceneHit<T> (*rounded)(const Query<T, Tally>& query, const Candidate& candidate) noexcept;
+  /// The ray is {point, +x}, valid, and the scene closed.
   Place (*inside)(const Query<T, Tally>& query) noexcept;
 };
 
@@ -29,8 +30,8 @@ struct BatchKernels {
   void (*any)(const Data<T>& data, std::span<const Ray<T>> rays, const QueryOptions& options, bool* answers) noexcept;
   void (*count)(const Data<T>& data, std::span<const Ray<T>> rays, const QueryOptions& options,
                 std::uint64_t* answers) noexcept;
-  /// As box_ray, for those of eight rays whose bits are returned.
-  unsigned (*box_rays)(const Space& space, const Box& root, const Ray<T>* rays, BoxRay* out) noexcept;
+  /// As box_ray, of a valid ray.
+  BoxRay (*box_ray)(const Space& space, const Box& root, const Ray<T>& ray) noexcept;
 };
 
 struct Kernels {
@@ -40,9 +41,6 @@ struct Kernels {
   QueryKernels<double, Counting> counting_double;
   BatchKernels<float> batches_float;
   BatchKernels<double> batches_double;
-  /// As rounding::face.
-  TriangleHit<double> (*face)(const Ray<double>& ray, const Triangle<double>& triangle,
-                              const predicates::TriangleTerms<double>& terms) noexcept;
   /// The children whose boxes the ray meets, as bits, and where it enters them.
   unsigned (*meet_boxes)(const BoxRay& ray, const Node& node, float* entry) noexcept;
 

@@ -58,6 +58,13 @@ struct LaneVerdicts {
   unsigned face, uncertain;
 };
 
+/// What the filter has computed of lanes in the format's own precision, as predicates::TriangleTerms; good for those in `face`.
+template <Real T>
+struct LaneTerms {
+  unsigned front;  ///< bits: the ray comes from the front
+  alignas(64) T whole[width], distance[width], error[width], distance_error[width];
+};
+
 /// Of exact determinants, the sign of `whole` taken out of all. What is in neither `met` nor `uncertain` is missed.
 struct IntegerVerdicts {
   unsigned met = 0;        ///< one common point

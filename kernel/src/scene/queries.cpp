@@ -7,7 +7,6 @@
 #include "graze/triangle.hpp"
 #include "scene/kernels.hpp"
 #include "scene/parallel.hpp"
-#include "scene/rounded.hpp"
 
 namespace graze {
 namespace scene {
@@ -16,44 +15,37 @@ namespace {
 template <Real T, class Tally>
 [[nodiscard]] SceneHit<T> closest(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) noexcept {
   SceneHit<T> answer;
-  answer.status = Scene<T>::status_of(ray);
-  if (answer.status != Status::ok) return answer;
   const Query<T, Tally> query{data, ray, options, tally};
-  Candidate best;
-  kernels(query).closest(query, best);
-  return best.shape == Shape::none ? answer : rounded(query, best, kernels().face);
+  kernels(query).closest(query, answer);
+  return answer;
 }
 
 template <Real T, class Tally>
 [[nodiscard]] bool any(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) noexcept {
-  if (Scene<T>::status_of(ray) != Status::ok) return false;
   const Query<T, Tally> query{data, ray, options, tally};
   return kernels(query).any(query);
 }
 
 template <Real T, class Tally>
 [[nodiscard]] std::uint64_t count(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) noexcept {
-  if (Scene<T>::status_of(ray) != Status::ok) return 0;
   const Query<T, Tally> query{data, ray, options, tally};
   return kernels(query).count(query);
 }
 
 template <Real T, class Tally>
 [[nodiscard]] std::vector<SceneHit<T>> all(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options, Tally tally) {
-  if (Scene<T>::status_of(ray) != Status::ok) return {};
   const Query<T, Tally> query{data, ray, options, tally};
   std::vector<Candidate> found;
   kernels(query).collect(query, false, found);
   std::sort(found.begin(), found.end(), [&](const auto& one, const auto& other) { return comes_before(query, one, other); });
   std::vector<SceneHit<T>> hits;
   hits.reserve(found.size());
-  for (const Candidate& c : found) hits.push_back(rounded(query, c, kernels().face));
+  for (const Candidate& c : found) hits.push_back(kernels(query).rounded(query, c));
   return hits;
 }
 
 template <Real T>
 [[nodiscard]] std::vector<SceneHit<T>> ties(const Data<T>& data, const Ray<T>& ray, const QueryOptions& options) {
-  if (Scene<T>::status_of(ray) != Status::ok) return {};
   const Query<T, Silent> query{data, ray, options, {}};
   std::vector<Candidate> found, least;
   kernels(query).collect(query, true, found);
@@ -69,7 +61,7 @@ template <Real T>
   least.erase(last, least.end());
   std::vector<SceneHit<T>> hits;
   hits.reserve(least.size());
-  for (const Candidate& c : least) hits.push_back(rounded(query, c, kernels().face));
+  for (const Candidate& c : least) hits.push_back(kernels(query).rounded(query, c));
   return hits;
 }
 

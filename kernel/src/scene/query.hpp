@@ -4,6 +4,7 @@
 #include "graze/sphere.hpp"
 #include "graze/triangle.hpp"
 #include "numeric/integer.hpp"
+#include "rounding/quotients.hpp"
 #include "scene/box_ray.hpp"
 #include "scene/data.hpp"
 #include "scene/enclose.hpp"
@@ -15,7 +16,7 @@ namespace graze::scene {
 template <Real T, class Tally>
 struct Query {
   const Data<T>& data;
-  const Ray<T>& ray;  ///< valid
+  const Ray<T>& ray;
   const QueryOptions& options;
   Tally tally;
 
@@ -39,13 +40,15 @@ struct Query {
 /// A hit: which primitive, where it lies, and an interval that holds its exact first value.
 struct Candidate {
   Shape shape = Shape::none;
-  bool is_face = false;     ///< a triangle's, of which the filter is sure: `terms` holds
+  bool is_face = false;     ///< a triangle's, of which the filter is sure
+  bool is_rough = false;    ///< only the filter in float has been asked: `t` is no better
   bool is_integer = false;  ///< the determinants in `terms` are exact
   std::uint8_t lane = 0;
   std::uint32_t block = 0;
   std::uint32_t index = no_primitive;
-  Enclosure t{};
-  predicates::TriangleTerms<double> terms{};
+  Enclosure t;
+  double whole, distance;       ///< a triangle's determinants, where is_integer
+  rounding::FaceBounds bounds;  ///< where is_face
 };
 
 /// Calls f with the candidate's shape.
@@ -55,8 +58,7 @@ inline auto with_shape(const Data<T>& data, const Candidate& c, F f) noexcept {
 }
 
 /// The sign of one's distance / whole minus the other's, which are exact: integers of at most 53 bits in their common unit.
-[[nodiscard]] inline int compare_quotients(const predicates::TriangleTerms<double>& one,
-                                           const predicates::TriangleTerms<double>& other) noexcept {
+[[nodiscard]] inline int compare_quotients(const Candidate& one, const Candidate& other) noexcept {
   using namespace numeric;
   const Dyadic n1 = dyadic(one.distance), n2 = dyadic(other.distance), d1 = dyadic(one.whole), d2 = dyadic(other.whole);
   Extent n, d;
@@ -67,12 +69,22 @@ inline auto with_shape(const Data<T>& data, const Candidate& c, F f) noexcept {
   return numeric::compare(integer<1>(n1, n.low) * integer<1>(d2, d.low), integer<1>(n2, n.low) * integer<1>(d1, d.low));
 }
 
+/// With `t` as good as double.
+template <Real T, class Tally>
+[[nodiscard]] inline Candidate sharpened(const Query<T, Tally>& query, Candidate c) noexcept {
+  if (!c.is_rough) return c;
+  c.t = enclose(predicates::triangle_terms<double>(query.ray, query.data.triangles[c.block].triangle(c.lane)));
+  c.is_rough = false;
+  return c;
+}
+
 /// The sign of one's exact first value minus the other's.
 template <Real T, class Tally>
 [[nodiscard]] inline int compare(const Query<T, Tally>& query, const Candidate& one, const Candidate& other) noexcept {
   if (one.t.high < other.t.low) return -1;
   if (one.t.low > other.t.high) return 1;
-  if (one.is_integer && other.is_integer) return compare_quotients(one.terms, other.terms);
+  if (one.is_integer && other.is_integer) return compare_quotients(one, other);
+  if (one.is_rough || other.is_rough) return compare(query, sharpened(query, one), sharpened(query, other));
   query.tally.template add<&Statistics::exact_orders>(1);
   return with_shape(query.data, one, [&](const auto& a) {
     return with_shape(query.data, other, [&](const auto& b) { return exact::compare_first(query.ray, a, b); });

@@ -6,24 +6,45 @@
 #define GRAZE_SCENE_RAYS_INL
 #endif
 
-#include "scene/box_ray.hpp"
+#include "exact/validate.hpp"
+#include "scene/box_ray-inl.hpp"
 #include "scene/data.hpp"
 #include "scene/lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 
+template <Real T>
+HWY_INLINE void bring(const Space& space, const Box& root, const Ray<T>& ray, bool is_plain, BoxRay& out) {
+  if (HWY_LIKELY(is_plain)) {
+    to_box_ray(space, root, ray, out);
+  } else {
+    out = box_ray(space, root, ray);
+  }
+}
+
+/// Whether the ray is plain, and its status.
+struct Admission {
+  bool is_plain;
+  Status status;
+};
+template <Real T>
+HWY_INLINE Admission admit(const Ray<T>& ray) {
+  const bool is_one = is_plain(ray);
+  return {is_one, HWY_LIKELY(is_one) ? Status::ok : exact::status_of(ray, true, false)};
+}
+
 /// The headers' own functions are compiled for the baseline: called from here, each would pay for the change of registers'
 /// width. Flattened they are compiled for the target.
 template <Real T>
 struct Rays {
+  HWY_NOINLINE HWY_FLATTEN Rays(const Data<T>& data, const Ray<T>& ray, bool is_plain) : lanes(ray, data.extent) {
+    bring(data.space, data.root, ray, is_plain, box);
+  }
+
   RayLanes<T> lanes;
   BoxRay box;
 };
-template <Real T>
-HWY_NOINLINE HWY_FLATTEN Rays<T> rays_of(const Data<T>& data, const Ray<T>& ray) {
-  return {RayLanes<T>(ray, data.extent), box_ray(data.space, data.root, ray)};
-}
 template <Real T>
 HWY_NOINLINE HWY_FLATTEN void end_rays_at(RayLanes<T>& lanes, BoxRay& box, double t) {
   lanes.end_at(t);

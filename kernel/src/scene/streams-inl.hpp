@@ -8,6 +8,7 @@
 
 #include "scene/boxes-inl.hpp"
 #include "scene/lanes.hpp"
+#include "scene/places.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
@@ -54,9 +55,9 @@ struct alignas(32) Keys {
 #if HWY_MAX_BYTES >= 32
 
 HWY_INLINE void meet(const BoxRay& ray, const Node& node, Keys& out) {
-  const hn::CappedTag<float, width> d;
+  const BoxLanes d;
   const hn::RebindToSigned<decltype(d)> bits;
-  const auto entries = enter(d, ray, node, 0);
+  const auto entries = RayAtBoxes<BoxLanes>(ray).enter(node, ray.high, 0);
   const auto where = hn::And(hn::BitCast(bits, entries.first), hn::Set(bits, Keys::not_met - (width - 1)));
   const auto key = hn::Or(where, hn::Iota(bits, 0));
   hn::Store(hn::IfThenElse(hn::RebindMask(bits, entries.met), key, hn::Set(bits, Keys::not_met)), bits, out.keys);
@@ -81,7 +82,7 @@ HWY_INLINE void push(const Keys& met, const Node& node, Agenda& agenda) {
 
 HWY_INLINE void meet(const BoxRay& ray, const Node& node, Keys& out) {
   alignas(64) float entry[width];
-  const unsigned met = meet_boxes(ray, node, entry);
+  const unsigned met = meet_boxes(RayAtBoxes<BoxLanes>(ray), ray.high, node, entry);
   for (int i = 0; i < width; ++i) {
     const auto key = (std::bit_cast<std::int32_t>(entry[i]) & (Keys::not_met - (width - 1))) | i;
     out.keys[i] = (met >> i & 1) != 0 ? key : Keys::not_met;
@@ -174,7 +175,7 @@ class Streams {
     Slot**& end = ends_[part];
     *end = &slot;
     end += count;
-    const char* const at = first_[part] + stride_[part] * next.index();
+    const char* const at = places_.of(next);
     const std::size_t is_leaf = part >> 1;
     for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
     for (std::size_t line = 4; line < sizeof(TriangleBlock<T>) / 64; ++line) __builtin_prefetch(at + 64 * line * is_leaf);
@@ -235,9 +236,7 @@ class Streams {
   const Data<T>& data_;
   std::size_t n_, given_ = 0;
   Batch& batch_;
-  /// By part, what to fetch; of others always the same.
-  const char* const first_[parts] = {bytes(data_.nodes), bytes(data_.nodes), bytes(data_.triangles), bytes(data_.nodes)};
-  const std::size_t stride_[parts] = {sizeof(Node), sizeof(Node), sizeof(TriangleBlock<T>), 0};
+  const Places<T> places_{data_};
   unsigned now_ = 0;
   Slot* lists_[2][parts][rays_at_once + 1];
   Slot** ends_[parts];
@@ -245,11 +244,6 @@ class Streams {
   LaneVerdicts verdicts_[rays_at_once];
   Slot* met_[rays_at_once + 1];
   Slot slots_[rays_at_once];
-
-  template <class Elements>
-  static const char* bytes(const Elements& elements) {
-    return reinterpret_cast<const char*>(elements.data());
-  }
 };
 
 }  // namespace graze::scene::HWY_NAMESPACE

@@ -53,9 +53,10 @@ HWY_INLINE auto test_bound(D d, hn::TFromD<D> x, V whole, V distance, V error, V
 
 /// The verdicts on a block's lanes, in the format's own precision: the formulas and bounds of predicates::triangle_terms<T> and
 /// predicates::verdict, operation by operation; a product and a sum are one FMA or two operations. The ray's range must be
-/// plain. Lanes that are certainly beyond ray.end are missed.
-template <Real T>
-HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& block) {
+/// plain. Lanes that are certainly beyond ray.end are missed. The terms are told to `tell(i, ...)`, of a vector from the i-th
+/// lane on, where there may be faces.
+template <Real T, class Tell>
+HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& block, Tell tell) {
   using numeric::Ordinary;
   const hn::CappedTag<T, width> d;
   using V = hn::Vec<decltype(d)>;
@@ -99,20 +100,32 @@ HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& b
     if (ray.has_end) is_outside = hn::Or(is_outside, test_bound(d, ray.end, whole, distance, error, distance_error).above);
     const auto is_missed = hn::And(is_bounded, hn::Or(is_beside, is_outside));
     const auto is_face = hn::And(hn::AndNot(is_outside, is_bounded), hn::And(hn::Gt(least, error), is_above));
+    tell(i, determinant, whole, distance, error, distance_error);
     out.face |= bits_of_mask(d, is_face) << i;
     out.uncertain |= bits_of_mask(d, hn::Not(hn::Or(is_face, is_missed))) << i;
   }
   return out;
 }
 
-/// Eight numbers as doubles, a vector of them.
-template <class D>
-HWY_INLINE auto load_as_double(D d, const double* HWY_RESTRICT from) {
-  return hn::Load(d, from);
+/// The same, telling nothing.
+template <Real T>
+HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& block) {
+  return settle(ray, block, [](std::size_t, const auto&...) HWY_ATTR {});
 }
-template <class D>
-HWY_INLINE auto load_as_double(D d, const float* HWY_RESTRICT from) {
-  return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
+/// The same, keeping the terms.
+template <Real T>
+HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& block, LaneTerms<T>& terms) {
+  const hn::CappedTag<T, width> d;
+  using V = hn::Vec<decltype(d)>;
+  terms.front = 0;
+  return settle(ray, block, [&](std::size_t i, V determinant, V whole, V distance, V error, V distance_error) HWY_ATTR {
+    // The determinant is -d . n.
+    terms.front |= bits_of_mask(d, hn::Gt(determinant, hn::Zero(d))) << i;
+    hn::Store(whole, d, terms.whole + i);
+    hn::Store(distance, d, terms.distance + i);
+    hn::Store(error, d, terms.error + i);
+    hn::Store(distance_error, d, terms.distance_error + i);
+  });
 }
 
 /// For rays with `is_integer`: no operation rounds, so nothing needs a bound.

@@ -6,7 +6,6 @@
 #define GRAZE_SCENE_VISITORS_INL
 #endif
 
-#include "scene/box_rays-inl.hpp"
 #include "scene/home-inl.hpp"
 #include "scene/query.hpp"
 #include "scene/rays-inl.hpp"
@@ -21,18 +20,20 @@ namespace graze::scene::HWY_NAMESPACE {
 template <Real T, class Tally, class Derived>
 class HitVisitor {
  public:
-  explicit HitVisitor(const Query<T, Tally>& query)
-      : query_(query), rays_(rays_of(query.data, query.ray)), takes_all_(query.takes_all()) {}
-  /// With the ray in box space that is there already.
-  HitVisitor(const Query<T, Tally>& query, const BoxRays& ahead, int i)
-      : query_(query), rays_{RayLanes<T>(query.ray, query.data.extent), ahead[i]}, takes_all_(query.takes_all()) {}
+  /// `is_plain` tells of the ray, which is valid.
+  HitVisitor(const Query<T, Tally>& query, bool is_plain)
+      : query_(query), rays_(query.data, query.ray, is_plain), takes_all_(query.takes_all()) {}
 
   HWY_INLINE void run() { walk(query_, rays_.box, *this, Child::node(0)); }
   /// Visits the leaves under a node; returns true to end the walk.
   HWY_NOINLINE bool run_under(Child node) { return walk(query_, rays_.box, *this, node); }
   HWY_INLINE const BoxRay& box() const { return rays_.box; }
 
-  HWY_INLINE bool leaf(Child child) { return resolve(child, look(child)); }
+  /// Not inlined: the way through the nodes shall have the registers.
+  HWY_NOINLINE bool leaf(Child child) {
+    const LaneVerdicts verdicts = look(child);
+    return (verdicts.face | verdicts.uncertain) != 0 && resolve(child, verdicts);
+  }
   /// What the filter says of a leaf's lanes: for `resolve`, if not all are missed. Where there is no filter all are uncertain.
   HWY_INLINE LaneVerdicts look(Child child) {
     if (HWY_UNLIKELY(child.is_spheres())) return {0, 1};
@@ -43,7 +44,11 @@ class HitVisitor {
     if (HWY_UNLIKELY(rays_.lanes.is_integer)) return {0, lanes};
     LaneVerdicts verdicts{0, lanes};
     if (HWY_LIKELY(rays_.lanes.range_is_plain)) {
-      verdicts = settle(rays_.lanes, block);
+      if constexpr (Derived::wants_t) {
+        verdicts = settle(rays_.lanes, block, terms_);
+      } else {
+        verdicts = settle(rays_.lanes, block);
+      }
       verdicts.face &= lanes;
       verdicts.uncertain &= lanes;
       query_.tally.template add<&Statistics::error_bounds>(tests);
@@ -71,6 +76,7 @@ class HitVisitor {
   }
 
   Rays<T> rays_;
+  LaneTerms<T> terms_;  ///< of the leaf that was looked at last, where t is wanted
   double end_ = std::numeric_limits<double>::infinity();
   bool takes_all_;
 
@@ -80,7 +86,12 @@ class HitVisitor {
   HWY_INLINE bool triangles(const TriangleBlock<T>& block, std::uint32_t number, const LaneVerdicts& verdicts) {
     unsigned rest = verdicts.face | verdicts.uncertain;
     if (HWY_UNLIKELY(rays_.lanes.is_integer)) return integers(block, number, rest);
-    if (!Derived::wants_t && takes_all_ && verdicts.face != 0) {
+    if constexpr (Derived::wants_t) {
+      for (unsigned faces = verdicts.face; faces != 0; faces &= faces - 1) {
+        if (face(block, number, __builtin_ctz(faces))) return true;
+      }
+      rest = verdicts.uncertain;
+    } else if (takes_all_ && verdicts.face != 0) {
       const auto faces = static_cast<unsigned>(__builtin_popcount(verdicts.face));
       query_.tally.template add<&Statistics::filter_hits>(faces);
       if (self().hits(faces)) return true;
@@ -92,25 +103,44 @@ class HitVisitor {
     return false;
   }
 
-  /// One that the lanes have not rejected, again in double, and then exactly. Not inlined: few come here.
+  /// One of which the lanes are sure.
+  HWY_NOINLINE HWY_FLATTEN bool face(const TriangleBlock<T>& block, std::uint32_t number, int i) {
+    if (!query_.sees(block.index[i])) return false;
+    query_.tally.template add<&Statistics::filter_hits>(1);
+    const bool is_front = (terms_.front >> i & 1) != 0;
+    if (!query_.takes(TriangleKind::face, is_front ? Facing::front : Facing::back)) return false;
+    Candidate& found = candidate(block, number, i);
+    const double whole = terms_.whole[i], distance = terms_.distance[i], error = terms_.error[i],
+                 distance_error = terms_.distance_error[i];
+    found.is_face = true;
+    found.is_rough = sizeof(T) < sizeof(double);
+    found.t = enclose(distance, whole, distance_error, error);
+    // In double the bounds are in another unit, of sums of magnitudes that were rounded 16 times at most in float.
+    constexpr double share = numeric::unit / numeric::unit_of<T> * (sizeof(T) < sizeof(double) ? 1 + 0x1p-18 : 1);
+    found.bounds = {share * error, share * distance_error, is_front};
+    return self().hit(found);
+  }
+
+  /// One that the lanes have not settled, again in double, and then exactly. Not inlined: few come here.
   HWY_NOINLINE HWY_FLATTEN bool triangle(const TriangleBlock<T>& block, std::uint32_t number, int i) {
     using predicates::TriangleVerdict;
     if (!query_.sees(block.index[i])) return false;
     const Triangle<T> triangle = block.triangle(i);
     Candidate& found = candidate(block, number, i);
-    found.terms = predicates::triangle_terms<double>(query_.ray, triangle);
-    const TriangleVerdict verdict = predicates::verdict(found.terms, query_.ray);
+    const predicates::TriangleTerms<double> terms = predicates::triangle_terms<double>(query_.ray, triangle);
+    const TriangleVerdict verdict = predicates::verdict(terms, query_.ray);
     if (verdict == TriangleVerdict::miss) {
       query_.tally.template add<&Statistics::filter_misses>(1);
       return false;
     }
     // Where ray and plane meet, which is the hit, if there is one.
-    const bool is_bounded = found.terms.are_bounded && found.terms.whole > found.terms.error;
-    if (Derived::wants_t && is_bounded) found.t = enclose(found.terms);
+    const bool is_bounded = terms.are_bounded && terms.whole > terms.error;
+    if (Derived::wants_t && is_bounded) found.t = enclose(terms);
+    found.bounds = rounding::bounds_of(terms);
     found.is_face = verdict == TriangleVerdict::face;
     if (found.is_face) {
       query_.tally.template add<&Statistics::filter_hits>(1);
-      if (!query_.takes(TriangleKind::face, found.terms.is_front ? Facing::front : Facing::back)) return false;
+      if (!query_.takes(TriangleKind::face, terms.is_front ? Facing::front : Facing::back)) return false;
     } else {
       if (Derived::wants_t && is_bounded && found.t.low > end_) {
         query_.tally.template add<&Statistics::filter_misses>(1);
@@ -144,11 +174,12 @@ class HitVisitor {
         query_.tally.template add<&Statistics::filter_hits>(1);
         // Of a point in the plane options see only the side.
         if (!query_.takes(TriangleKind::face, bit(verdicts.front) ? Facing::front : Facing::back)) continue;
-        const double whole = verdicts.whole[i], u = verdicts.u[i], v = verdicts.v[i], distance = verdicts.distance[i];
         found.is_face = bit(verdicts.inner);
         found.is_integer = true;
-        found.terms = {whole, u, v, whole - u - v, distance, 0, 0, bit(verdicts.front), true};
-        if (Derived::wants_t) found.t = enclose(found.terms);
+        found.whole = verdicts.whole[i];
+        found.distance = verdicts.distance[i];
+        found.bounds = {0, 0, bit(verdicts.front)};
+        if (Derived::wants_t) found.t = enclose(found.distance, found.whole, 0, 0);
       } else {
         const Triangle<T> triangle = block.triangle(i);
         if (!decide(triangle)) continue;
@@ -165,7 +196,7 @@ class HitVisitor {
   [[nodiscard]] HWY_INLINE Candidate& candidate(const Block& block, std::uint32_t number, int i) {
     Candidate& found = self().space();
     found.shape = std::same_as<Block, SphereBlock<T>> ? Shape::sphere : Shape::triangle;
-    found.is_face = found.is_integer = false;
+    found.is_face = found.is_integer = found.is_rough = false;
     found.lane = static_cast<std::uint8_t>(i);
     found.block = number;
     found.index = block.index[i];
@@ -258,8 +289,8 @@ struct ClosestVisitor : HitVisitor<T, Tally, ClosestVisitor<T, Tally>> {
 
 template <Real T, class Tally>
 struct CollectVisitor : HitVisitor<T, Tally, CollectVisitor<T, Tally>> {
-  CollectVisitor(const Query<T, Tally>& query, bool only, std::vector<Candidate>& all)
-      : HitVisitor<T, Tally, CollectVisitor>(query), only_closest(only), found(all) {}
+  CollectVisitor(const Query<T, Tally>& query, bool is_plain, bool only, std::vector<Candidate>& all)
+      : HitVisitor<T, Tally, CollectVisitor>(query, is_plain), only_closest(only), found(all) {}
   static constexpr bool wants_t = true;
   bool only_closest;
   std::vector<Candidate>& found;

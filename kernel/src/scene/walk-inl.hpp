@@ -6,16 +6,18 @@
 #define GRAZE_SCENE_WALK_INL
 #endif
 
+#include "scene/boxes-inl.hpp"
+#include "scene/places.hpp"
+#include "scene/query.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 
 /// Asks for a child's memory, for it will be visited soon: in a scene beyond the caches a tenth of the time.
 template <Real T>
-HWY_INLINE void fetch(const Data<T>& data, Child child) {
-  const void* const at = !child.is_leaf()     ? static_cast<const void*>(data.nodes.data() + child.index())
-                         : child.is_spheres() ? static_cast<const void*>(data.spheres.data() + child.index())
-                                              : static_cast<const void*>(data.triangles.data() + child.index());
-  for (int line = 0; line < 4; ++line) __builtin_prefetch(static_cast<const char*>(at) + 64 * line);
+HWY_INLINE void fetch(const Places<T>& places, Child child) {
+  const char* const at = places.of(child);
+  for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
 }
 
 /// Visits the leaves that the ray meets from `next` on, nearer ones first as far as their boxes tell, until visitor.leaf(child)
@@ -24,6 +26,10 @@ template <Real T, class Tally, class Visitor>
 HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor, Child next) {
   if (query.data.nodes.empty()) return false;
   const Node* const nodes = query.data.nodes.data();
+  const Places<T> places(query.data);
+  const RayAtBoxes<BoxLanes> at_boxes(ray);
+  const bool is_blind = ray.is_blind;
+  float high = ray.high;
   struct Entry {
     Child child;
     float entry;
@@ -35,8 +41,8 @@ HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
     while (!next.is_leaf()) {
       query.tally.template add<&Statistics::nodes>(1);
       const Node& node = nodes[next.index()];
-      unsigned met = meet_boxes(ray, node, entry);
-      if (HWY_UNLIKELY(ray.is_blind)) met &= node.occupied();
+      unsigned met = meet_boxes(at_boxes, high, node, entry);
+      if (HWY_UNLIKELY(is_blind)) met &= node.occupied();
       if (met == 0) break;
       const int one = __builtin_ctz(met);
       met &= met - 1;
@@ -51,7 +57,7 @@ HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
         const Child child_one = node.children[one], child_other = node.children[other];
         const bool is_swapped = at_other < at_one;
         *top++ = {is_swapped ? child_one : child_other, is_swapped ? at_one : at_other};
-        fetch(query.data, top[-1].child);
+        fetch(places, top[-1].child);
         next = is_swapped ? child_other : child_one;
         continue;
       }
@@ -65,18 +71,19 @@ HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
         Entry* hole = top++;
         for (; hole > base && hole[-1].entry < at; --hole) *hole = hole[-1];
         *hole = {node.children[i], at};
-        fetch(query.data, node.children[i]);
+        fetch(places, node.children[i]);
       } while (met != 0);
       next = (--top)->child;
     }
     if (next.is_leaf()) {
       query.tally.template add<&Statistics::leaves>(1);
       if (visitor.leaf(next)) return true;
+      high = ray.high;
     }
     do {
       if (top == stack) return false;
       --top;
-    } while (top->entry > ray.high);
+    } while (top->entry > high);
     next = top->child;
   }
 }
