@@ -38,6 +38,20 @@ HWY_INLINE bool is_plain(const Ray<T>& ray) {
   return ((zeros | normals) == all) & ((zeros & direction) != direction) & (ray.t_min <= ray.t_max);
 }
 
+/// Rays with a range of their own, or none that is plain; not inlined, for they would cost the others registers.
+template <Real T>
+HWY_NOINLINE HWY_FLATTEN double first_tau(const BoxRay& out, const Ray<T>& ray) {
+  return out.first_tau(ray);
+}
+template <Real T>
+HWY_NOINLINE HWY_FLATTEN void end_with(BoxRay& out, const Ray<T>& ray) {
+  if (HWY_UNLIKELY(numeric::is_finite(ray.t_max))) end_with(out, ray);
+}
+template <Real T>
+HWY_NOINLINE HWY_FLATTEN void to_any_box_ray(const Space& space, const Box& root, const Ray<T>& ray, BoxRay& out) {
+  out = box_ray(space, root, ray);
+}
+
 #if HWY_MAX_BYTES >= 32
 
 /// As box_ray, step by step, so with the same bits, of a plain ray, to `out`: what is returned would be copied, and have to
@@ -59,15 +73,17 @@ HWY_INLINE void to_box_ray(const Space& space, const Box& root, const Ray<T>& ra
   const V longest = hn::MaxOfLanes(d, hn::Abs(given));
   const double far = hn::GetLane(hn::MaxOfLanes(d, hn::Abs(e))), length = hn::GetLane(longest);
   if (HWY_UNLIKELY(!((far <= 0x1p40) & (length >= 0x1p-900) & (length <= 0x1p900)))) {
-    out = box_ray(space, root, ray);
+    to_any_box_ray(space, root, ray, out);
     return;
   }
   const auto exponent = hn::ShiftRight<52>(hn::BitCast(integers, longest));
   const V scale = hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(hn::Set(integers, 2046), exponent)));
-  const V direction = hn::Mul(given, scale), r = hn::Div(set(1), direction);
+  const V inverse_scale = hn::BitCast(d, hn::ShiftLeft<52>(exponent));
+  // The division need not wait for the scale, a power of two.
+  const V direction = hn::Mul(given, scale), r = hn::Mul(hn::Div(set(1), given), inverse_scale);
   out.time_exponent = static_cast<int>(hn::GetLane(exponent)) - 1023 + space.exponent;
 
-  const double first = out.first_tau(ray);
+  const double first = HWY_LIKELY(numeric::magnitude_bits(ray.t_min) == 0) ? 0 : first_tau(out, ray);
   V start = set(first);
   if ((far > BoxRay::near_by) | (first != 0)) {
     static_assert(sizeof(Box) == 6 * sizeof(float));
@@ -81,14 +97,15 @@ HWY_INLINE void to_box_ray(const Space& space, const Box& root, const Ray<T>& ra
   out.start = hn::GetLane(start);
 
   const V moved = hn::Mul(start, direction), f = hn::Add(e, moved);
-  const V error =
-      hn::Add(hn::Add(hn::Mul(set(0x1p-50), hn::Add(hn::Abs(e), hn::Abs(moved))), hn::Mul(set(0x1p-110), hn::Abs(start))),
-              set(0x1p-100));
-  const V even = hn::Add(hn::Add(hn::Mul(set(0x1p-21), hn::Abs(f)), hn::Mul(set(2), error)), set(0x1p-90));
+  const V error = hn::Add(hn::Mul(set(0x1p-49), hn::Add(hn::Abs(e), hn::Abs(moved))), set(BoxRay::least_error(out.start)));
+  V g = hn::Add(hn::Mul(set(0x1p-21), hn::Abs(f)), error), nearly_r = r;
   const auto is_flat = hn::Lt(hn::Abs(direction), set(0x1p-60));
-  const V largest = hn::MaxOfLanes(d, hn::Abs(f));
-  const V g = hn::IfThenElse(is_flat, hn::Add(even, hn::Mul(set(0x1p-58), hn::Add(set(1), largest))), even);
-  const auto reciprocal = hn::DemoteTo(narrow, hn::IfThenElse(is_flat, hn::CopySign(set(0x1p60), direction), r));
+  if (HWY_UNLIKELY((bits_of_mask(d, is_flat) & 7) != 0)) {
+    const V largest = hn::MaxOfLanes(d, hn::Abs(f));
+    g = hn::IfThenElse(is_flat, hn::Add(g, hn::Mul(set(0x1p-58), hn::Add(set(1), largest))), g);
+    nearly_r = hn::IfThenElse(is_flat, hn::CopySign(set(0x1p60), direction), r);
+  }
+  const auto reciprocal = hn::DemoteTo(narrow, nearly_r);
   const V exact = hn::PromoteTo(d, reciprocal), offset = hn::Mul(f, exact), half_width = hn::Mul(g, hn::Abs(exact));
   hn::StoreU(reciprocal, narrow, out.reciprocal);
   hn::StoreU(hn::DemoteTo(narrow, hn::Add(offset, half_width)), narrow, out.near_offset);
@@ -99,14 +116,14 @@ HWY_INLINE void to_box_ray(const Space& space, const Box& root, const Ray<T>& ra
   const auto is_reversed = hn::RebindMask(rows, hn::Lt(reciprocal, hn::Zero(narrow)));
   hn::StoreU(hn::IfThenElse(is_reversed, other, row), rows, reinterpret_cast<std::int32_t*>(out.near_row));
   hn::StoreU(hn::IfThenElse(is_reversed, row, other), rows, reinterpret_cast<std::int32_t*>(out.far_row));
-  out.end_with(ray);
+  if (HWY_UNLIKELY(numeric::is_finite(ray.t_max))) end_with(out, ray);
 }
 
 #else
 
 template <Real T>
 HWY_INLINE void to_box_ray(const Space& space, const Box& root, const Ray<T>& ray, BoxRay& out) {
-  out = box_ray(space, root, ray);
+  to_any_box_ray(space, root, ray, out);
 }
 
 #endif

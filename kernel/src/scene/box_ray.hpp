@@ -28,12 +28,10 @@ namespace graze::scene {
 ///    f |R|. All terms with |F| or |R| alone are below g |R| / 1.5: (2.1 u + 2^-50) |F| < 0.55 2^-21 |F|, f < 2 f / 1.5, and
 ///    what is flushed or underflows, 3 * 2^-126, is below 2^-90 / 2 * |R| / 1.5, as |R| >= 1/2. So before its last rounding n
 ///    is at most nu (1 + 1.01 u + 1.01 u (1 + u)) where nu >= 0, and negative where nu < 0; after it n <= nu (1 + 3.1 u) or n
-///    <= 0. Likewise m >= mu (1 - 3.1 u), and m >= 2^-92 (so that it is not flushed), as mu >= 0. Hence n <= s (1 + 3.1 u) <= m
-///    (1
-///    + 6.3 u) and with its own rounding m (1 + 8 u) is above that.
+///    <= 0. Likewise m >= mu (1 - 3.1 u), and m >= 2^-92 (so that it is not flushed), as mu >= 0. Hence
+///    n <= s (1 + 3.1 u) <= m (1 + 6.3 u), and with its own rounding m (1 + 8 u) is above that.
 ///  - |D| < 2^-60. On an axis j with |D_j| >= 1, s <= |X_j| + |G_j| <= 1.01 + max |F| + f: taking D = 1 / R there moves the ray
-///  by
-///    at most s 2^-59 on this axis, for which 2^-58 (1 + max |F|) pays. Then the above holds for the moved ray.
+///    by at most s 2^-59 on this axis, for which 2^-58 (1 + max |F|) pays. Then the above holds for the moved ray.
 ///  - s_high is at least (1 + 2^-20) times the greatest s that is still of interest.
 /// Nothing overflows: |p| <= 1.01, |F| <= 2^62, |R| <= 2^60, so |n|, |m| < 2^124. Rays for which the bounds of E fail (|E| >
 /// 2^40, infinite, NaN) take R = 0, n = 0, m = the largest float: they meet every box.
@@ -62,6 +60,10 @@ struct BoxRay {
   static constexpr float slack = 0x1p-20f;
   /// Rays whose origin is no farther off in box space are followed from there: the floats lose little.
   static constexpr double near_by = 4;
+  /// Of 2 f + 2^-90 what is the same for all axes.
+  [[nodiscard]] static double least_error(double start) noexcept {
+    return 0x1p-109 * __builtin_fabs(start) + (0x1p-99 + 0x1p-90);
+  }
   [[nodiscard]] static constexpr std::uint32_t row(int i) noexcept { return static_cast<std::uint32_t>(i * width); }
 
   void set(int axis, float r, float near, float far) noexcept {
@@ -187,9 +189,8 @@ template <Real T>
   }
   for (int k = 0; k < 3; ++k) {
     const double d = direction.d[k];
-    const double error =
-        0x1p-50 * (__builtin_fabs(e[k]) + __builtin_fabs(start * d)) + 0x1p-110 * __builtin_fabs(start) + 0x1p-100;
-    double g = 0x1p-21 * __builtin_fabs(f[k]) + 2 * error + 0x1p-90, reciprocal_of_d = r[k];
+    const double error = 0x1p-49 * (__builtin_fabs(e[k]) + __builtin_fabs(start * d)) + BoxRay::least_error(start);
+    double g = 0x1p-21 * __builtin_fabs(f[k]) + error, reciprocal_of_d = r[k];
     if (__builtin_fabs(d) < 0x1p-60) {
       reciprocal_of_d = (numeric::bits_of(d) & numeric::sign_bit<double>) != 0 ? -0x1p60 : 0x1p60;
       g += 0x1p-58 * (1 + largest);

@@ -10,18 +10,20 @@
 namespace graze::scene {
 namespace {
 
-/// How many nodes and blocks the drafts come to.
+/// How many nodes and blocks the branches come to.
 struct Sizes {
   std::size_t nodes = 0, triangles = 0, spheres = 0;
 };
 
-void count(const Draft& draft, const Pages<Reference>& references, Sizes& sizes) noexcept {
+void count(const Branch& branch, const Pages<Reference>& references, Sizes& sizes) noexcept {
   ++sizes.nodes;
-  for (int i = 0; i < draft.size; ++i) {
-    if (draft.children[i] != nullptr) {
-      count(*draft.children[i], references, sizes);
+  const Children children(branch);
+  for (int i = 0; i < children.size; ++i) {
+    const Branch& child = *children.branches[i];
+    if (!child.is_leaf()) {
+      count(child, references, sizes);
     } else {
-      ++(references[draft.ranges[i].begin].is_sphere != 0 ? sizes.spheres : sizes.triangles);
+      ++(references[child.range.begin].is_sphere != 0 ? sizes.spheres : sizes.triangles);
     }
   }
 }
@@ -35,15 +37,16 @@ struct Leaf {
 
 /// Writes the nodes, depth first, and lists the leaves.
 template <Real T>
-std::uint32_t write(const Draft& draft, const Pages<Reference>& references, Data<T>& data, Sizes& written,
+std::uint32_t write(const Branch& branch, const Pages<Reference>& references, Data<T>& data, Sizes& written,
                     std::vector<Leaf>& leaves) {
   const auto self = static_cast<std::uint32_t>(written.nodes++);
   for (int i = 0; i < width; ++i) data.nodes[self].set(i, Box::empty(), Child::nothing());
-  for (int i = 0; i < draft.size; ++i) {
-    const Range& range = draft.ranges[i];
+  const Children children(branch);
+  for (int i = 0; i < children.size; ++i) {
+    const Range& range = children.branches[i]->range;
     Child child;
-    if (draft.children[i] != nullptr) {
-      child = Child::node(write(*draft.children[i], references, data, written, leaves));
+    if (!children.branches[i]->is_leaf()) {
+      child = Child::node(write(*children.branches[i], references, data, written, leaves));
     } else {
       child = references[range.begin].is_sphere != 0 ? Child::spheres(static_cast<std::uint32_t>(written.spheres++))
                                                      : Child::triangles(static_cast<std::uint32_t>(written.triangles++));
@@ -107,14 +110,14 @@ void build(Data<T>& data, const BuildOptions& options) {
   Pages<Reference> references = references_of(data, threads);
   for (const Reference& r : references) data.root.include(r.box());
   if (options.spatial_splits) split(data, references);
-  std::unique_ptr<Draft> draft = divide(references, data.root, threads);
+  std::unique_ptr<Branch> top = divide(references, data.root, threads);
   Sizes sizes, written;
-  count(*draft, references, sizes);
+  count(*top, references, sizes);
   data.nodes.resize(sizes.nodes);
   std::vector<Leaf> leaves;
   leaves.reserve(sizes.triangles + sizes.spheres);
-  write(*draft, references, data, written, leaves);
-  draft.reset();
+  write(*top, references, data, written, leaves);
+  top.reset();
   if (options.spatial_splits) {
     drop_repeats(leaves, references);
     data.listings = listings_of(leaves, references);

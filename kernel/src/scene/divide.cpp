@@ -48,30 +48,47 @@ class Builder {
  public:
   Builder(Pages<Reference>& references, Threads threads) : references_(references), threads_(threads) {}
 
-  [[nodiscard]] std::unique_ptr<Draft> draft(const Range& range) const {
-    auto out = std::make_unique<Draft>();
-    out->ranges[0] = range;
-    out->size = 1;
-    while (out->size < width) {
-      int largest = -1;
-      for (int i = 0; i < out->size; ++i) {
-        if (is_leaf(out->ranges[i])) continue;
-        if (largest < 0 || out->ranges[i].box.half_area() > out->ranges[largest].box.half_area()) largest = i;
-      }
-      if (largest < 0) break;
-      const auto [one, other] = split(out->ranges[largest]);
-      out->ranges[largest] = one;
-      out->ranges[out->size++] = other;
+  [[nodiscard]] std::unique_ptr<Branch> branch(const Range& range) const {
+    auto out = std::make_unique<Branch>();
+    out->range = range;
+    if (is_leaf(range)) {
+      out->cost.fill(range.box.half_area() * leaf_cost);
+      return out;
     }
-    for_ranges(out->size, range.size() > 4096 ? 1 : width, threads_, [&](std::size_t begin, std::size_t end) {
+    const auto halves = split(range);
+    for_ranges(2, range.size() > 4096 ? 1 : 2, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        if (!is_leaf(out->ranges[i])) out->children[i] = draft(out->ranges[i]);
+        (i == 0 ? out->one : out->other) = branch(i == 0 ? halves.first : halves.second);
       }
     });
+    weigh(*out);
     return out;
   }
 
  private:
+  /// What visiting a node and a leaf take, in one unit.
+  static constexpr float node_cost = 1, leaf_cost = 1;
+
+  /// From its halves' costs.
+  static void weigh(Branch& branch) noexcept {
+    std::array<float, width + 1> parted{};
+    for (int n = 2; n <= width; ++n) {
+      parted[n] = std::numeric_limits<float>::infinity();
+      for (int k = 1; k < n; ++k) {
+        const float cost = branch.one->cost[k - 1] + branch.other->cost[n - k - 1];
+        if (!(cost < parted[n])) continue;
+        parted[n] = cost;
+        branch.share[n] = static_cast<std::uint8_t>(k);
+      }
+    }
+    branch.cost[0] = branch.range.box.half_area() * node_cost + parted[width];
+    for (int n = 2; n < width; ++n) {
+      const float fewer = branch.cost[n - 2];
+      if (!(parted[n] < fewer)) branch.share[n] = 0;
+      branch.cost[n - 1] = std::min(parted[n], fewer);
+    }
+  }
+
   [[nodiscard]] bool is_leaf(const Range& range) const noexcept {
     if (range.size() > width) return false;
     for (std::size_t i = range.begin + 1; i < range.end; ++i) {
@@ -200,8 +217,28 @@ class Builder {
 
 }  // namespace
 
-std::unique_ptr<Draft> divide(Pages<Reference>& references, const Box& root, Threads threads) {
-  return Builder(references, threads).draft({0, references.size(), root, 0});
+Children::Children(const Branch& branch) noexcept {
+  if (branch.is_leaf()) {
+    branches[static_cast<std::size_t>(size++)] = &branch;
+  } else {
+    take(*branch.one, branch.share[width]);
+    take(*branch.other, width - branch.share[width]);
+  }
+}
+
+void Children::take(const Branch& branch, int most) noexcept {
+  while (most > 1 && branch.share[static_cast<std::size_t>(most)] == 0) --most;
+  if (most == 1) {
+    branches[static_cast<std::size_t>(size++)] = &branch;
+  } else {
+    const int first = branch.share[static_cast<std::size_t>(most)];
+    take(*branch.one, first);
+    take(*branch.other, most - first);
+  }
+}
+
+std::unique_ptr<Branch> divide(Pages<Reference>& references, const Box& root, Threads threads) {
+  return Builder(references, threads).branch({0, references.size(), root, 0});
 }
 
 }  // namespace graze::scene

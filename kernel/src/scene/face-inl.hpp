@@ -65,20 +65,25 @@ template <class A>
 HWY_INLINE FourPairs cross(const A& a, const FourPairs& b) {
   return rotated(difference(product(a, rotated(b)), product(rotated(a), b)));
 }
-/// Of each of the four the sum of its lanes.
-HWY_INLINE FourPairs sums(const FourPairs& a, const FourPairs& b, const FourPairs& c, const FourPairs& d) {
+/// The lanes of four vectors: their first numbers, their second, their third.
+struct Columns {
+  FourLanes first, second, third;
+};
+HWY_INLINE Columns transposed(FourLanes a, FourLanes b, FourLanes c, FourLanes d) {
   const Four f;
-  struct Columns {
-    FourLanes first, second, third, fourth;
-  };
-  const auto transposed = [f](FourLanes p, FourLanes q, FourLanes r, FourLanes s) HWY_ATTR {
-    const FourLanes even = hn::InterleaveLower(f, p, q), odd = hn::InterleaveUpper(f, p, q);
-    const FourLanes other_even = hn::InterleaveLower(f, r, s), other_odd = hn::InterleaveUpper(f, r, s);
-    return Columns{hn::ConcatLowerLower(f, other_even, even), hn::ConcatLowerLower(f, other_odd, odd),
-                   hn::ConcatUpperUpper(f, other_even, even), hn::ConcatUpperUpper(f, other_odd, odd)};
-  };
+  const FourLanes ab_even = hn::InterleaveLower(f, a, b), ab_odd = hn::InterleaveUpper(f, a, b);
+  const FourLanes cd_even = hn::InterleaveLower(f, c, d), cd_odd = hn::InterleaveUpper(f, c, d);
+  return {hn::ConcatLowerLower(f, cd_even, ab_even), hn::ConcatLowerLower(f, cd_odd, ab_odd),
+          hn::ConcatUpperUpper(f, cd_even, ab_even)};
+}
+/// Of each of the four the sum of its first three lanes.
+HWY_INLINE FourPairs sums(const FourPairs& a, const FourPairs& b, const FourPairs& c, const FourPairs& d) {
   const Columns hi = transposed(a.hi, b.hi, c.hi, d.hi), lo = transposed(a.lo, b.lo, c.lo, d.lo);
-  return sum(sum({hi.first, lo.first}, {hi.second, lo.second}), sum({hi.third, lo.third}, {hi.fourth, lo.fourth}));
+  return sum(sum({hi.first, lo.first}, {hi.second, lo.second}), {hi.third, lo.third});
+}
+HWY_INLINE FourLanes sums(FourLanes a, FourLanes b, FourLanes c, FourLanes d) {
+  const Columns columns = transposed(a, b, c, d);
+  return hn::Add(hn::Add(columns.first, columns.second), columns.third);
 }
 
 /// x, y, z and a fourth number.
@@ -99,74 +104,79 @@ HWY_INLINE FourLanes corner(const TriangleBlock<T>& block, int lane, int c) {
   return set(block.corners[c][0][lane], block.corners[c][1][lane], block.corners[c][2][lane]);
 }
 
-/// t, u, v of a block's triangle in whose face the ray is known to hit it; false where they are not certain.
-HWY_INLINE bool round_face(const Ray<double>& ray, const TriangleBlock<double>& block, int lane,
-                           const rounding::FaceBounds& bounds, TriangleHit<double>& hit) {
+HWY_INLINE FourLanes last_in_all(FourLanes v) {
   const Four f;
-  const auto xyz = [f](FourLanes v) HWY_ATTR { return hn::IfThenElseZero(hn::FirstN(f, 3), v); };
-  const FourLanes a = xyz(corner(block, lane, 0)), d = xyz(vector(ray.direction));
-  const FourPairs e1 = two_difference(xyz(corner(block, lane, 1)), a), e2 = two_difference(xyz(corner(block, lane, 2)), a);
-  const FourPairs t = two_difference(xyz(vector(ray.origin)), a), h = cross(d, e2), g = cross(t, e1);
-  const FourPairs unnormalised = sums(product(e2, g), product(t, h), product(d, g), product(e1, h));
-  const FourPairs n = two_sum(unnormalised.hi, unnormalised.lo);
-  alignas(32) double hi[4], lo[4];
-  hn::Store(n.hi, f, hi);
-  hn::Store(n.lo, f, lo);
-  const double determinant = hi[3];
-  const FourLanes d_hi = hn::Set(f, hi[3]), d_lo = hn::Set(f, lo[3]), q = hn::Div(n.hi, d_hi);
-  const FourPairs p = product(q, d_hi);
-  const FourLanes rest = hn::Add(hn::Sub(hn::Sub(n.hi, p.hi), p.lo), hn::Sub(n.lo, hn::Mul(q, d_lo)));
-  hn::Store(q, f, hi);
-  hn::Store(hn::Div(rest, d_hi), f, lo);
-  using numeric::Lanes;
-  const rounding::Quotients quotients =
-      rounding::with_pair_errors(Lanes{hi[0], hi[1], hi[2], 0}, Lanes{lo[0], lo[1], lo[2], 0}, determinant, bounds);
-  return rounding::round_certainly(quotients, bounds, hit);
+  const FourLanes upper = hn::ConcatUpperUpper(f, v, v);
+  return hn::InterleaveUpper(f, upper, upper);
 }
 
-HWY_INLINE FourLanes cross(FourLanes a, FourLanes b) {
-  return rotated(hn::MulSub(a, rotated(b), hn::Mul(rotated(a), b)));
-}
-/// Of each of the four the sum of its first three lanes.
-HWY_INLINE FourLanes sums(FourLanes a, FourLanes b, FourLanes c, FourLanes d) {
+/// t, u, v as hi + lo, rounded, with errors as of rounding::with_errors; false where they are not certain, as
+/// rounding::round_certainly.
+template <Real T>
+HWY_INLINE bool round_lanes(FourLanes hi, FourLanes lo, FourLanes determinant, const rounding::FaceBounds& bounds,
+                            double relative, double division, TriangleHit<T>& hit) {
+  constexpr bool is_float = sizeof(T) < sizeof(double);
   const Four f;
-  const FourLanes ab_even = hn::InterleaveLower(f, a, b), ab_odd = hn::InterleaveUpper(f, a, b);
-  const FourLanes cd_even = hn::InterleaveLower(f, c, d), cd_odd = hn::InterleaveUpper(f, c, d);
-  return hn::Add(hn::Add(hn::ConcatLowerLower(f, cd_even, ab_even), hn::ConcatLowerLower(f, cd_odd, ab_odd)),
-                 hn::ConcatUpperUpper(f, cd_even, ab_even));
-}
-
-/// The same for float, from determinants in double: rounding::with_errors and rounding::rounds_certainly on lanes.
-HWY_INLINE bool round_face(const Ray<float>& ray, const TriangleBlock<float>& block, int lane,
-                           const rounding::FaceBounds& bounds, TriangleHit<float>& hit) {
-  const Four f;
-  const hn::Rebind<float, Four> narrow;
+  const hn::Rebind<T, Four> out;
   const auto set_all = [f](double x) HWY_ATTR { return hn::Set(f, x); };
-  const FourLanes a = corner(block, lane, 0), d = vector(ray.direction);
-  const FourLanes e1 = hn::Sub(corner(block, lane, 1), a), e2 = hn::Sub(corner(block, lane, 2), a);
-  const FourLanes t = hn::Sub(vector(ray.origin), a), h = cross(d, e2), g = cross(t, e1);
-  // The distance, u, v and the determinant.
-  const FourLanes n = sums(hn::Mul(e2, g), hn::Mul(t, h), hn::Mul(d, g), hn::Mul(e1, h));
-  const FourLanes determinant = hn::ConcatUpperUpper(f, n, n), whole = hn::InterleaveUpper(f, determinant, determinant);
-  const FourLanes q = hn::Div(n, whole), size = hn::Abs(q), whole_size = hn::Abs(whole);
-  const FourLanes scale = hn::Div(set_all(1 + rounding::second_order), whole_size);
+  const auto rounded = [out](FourLanes v) HWY_ATTR {
+    if constexpr (is_float) {
+      return hn::DemoteTo(out, v);
+    } else {
+      return v;
+    }
+  };
+  const FourLanes size = hn::Abs(hi), whole = hn::Abs(determinant);
   const FourLanes n_error = hn::IfThenElse(hn::FirstN(f, 1), set_all(bounds.distance_error), set_all(bounds.error));
-  const FourLanes error =
-      hn::MulAdd(hn::MulAdd(size, set_all(bounds.error), n_error), scale, hn::Mul(size, set_all(rounding::quotient_error)));
-  const FourLanes margin =
-      hn::MulAdd(error, set_all(1 + rounding::margin_share), hn::Mul(size, set_all(rounding::float_sum_error)));
-  const auto below = hn::DemoteTo(narrow, hn::Sub(q, margin)), above = hn::DemoteTo(narrow, hn::Add(q, margin));
-  const auto is_bounded = hn::Gt(whole_size, set_all(rounding::certainty * bounds.error));
-  const auto is_ordinary = hn::And(hn::Gt(size, set_all(0x1p-125)), hn::Lt(size, set_all(0x1p126)));
-  const unsigned certain = bits_of_mask(narrow, hn::Eq(below, above)) & bits_of_mask(f, hn::And(is_ordinary, is_bounded));
-  alignas(16) float numbers[4];
-  hn::Store(below, narrow, numbers);
+  const FourLanes scale = hn::Div(set_all((1 + rounding::second_order) * relative), whole);
+  const FourLanes error = hn::MulAdd(hn::MulAdd(size, set_all(bounds.error), n_error), scale, hn::Mul(size, set_all(division)));
+  const FourLanes slack = hn::Mul(size, set_all(is_float ? rounding::float_sum_error : 0));
+  const FourLanes margin = hn::MulAdd(error, set_all(1 + rounding::margin_share), slack);
+  const auto below = rounded(hn::Add(hi, hn::Sub(lo, margin))), above = rounded(hn::Add(hi, hn::Add(lo, margin)));
+  const auto is_bounded = hn::Gt(whole, set_all(rounding::certainty * relative * bounds.error));
+  const auto is_ordinary =
+      hn::And(hn::Gt(size, set_all(is_float ? 0x1p-125 : 0x1p-900)), hn::Lt(size, set_all(is_float ? 0x1p126 : 0x1p900)));
+  const unsigned certain = bits_of_mask(out, hn::Eq(below, above)) & bits_of_mask(f, hn::And(is_ordinary, is_bounded));
+  alignas(32) T numbers[4];
+  hn::Store(below, out, numbers);
   hit.t = hit.t_end = numbers[0];
   hit.u = numbers[1];
   hit.v = numbers[2];
   hit.kind = TriangleKind::face;
   hit.facing = bounds.is_front ? Facing::front : Facing::back;
   return (certain & 7) == 7;
+}
+
+/// t, u, v of a block's triangle in whose face the ray is known to hit it, from determinants in double-double; false where they
+/// are not certain.
+HWY_INLINE bool round_face(const Ray<double>& ray, const TriangleBlock<double>& block, int lane,
+                           const rounding::FaceBounds& bounds, TriangleHit<double>& hit) {
+  const FourLanes a = corner(block, lane, 0), d = vector(ray.direction);
+  const FourPairs e1 = two_difference(corner(block, lane, 1), a), e2 = two_difference(corner(block, lane, 2), a);
+  const FourPairs t = two_difference(vector(ray.origin), a), h = cross(d, e2), g = cross(t, e1);
+  // The distance, u, v and the determinant.
+  const FourPairs unnormalised = sums(product(e2, g), product(t, h), product(d, g), product(e1, h));
+  const FourPairs n = two_sum(unnormalised.hi, unnormalised.lo);
+  const FourPairs determinant{last_in_all(n.hi), last_in_all(n.lo)};
+  const FourLanes q = hn::Div(n.hi, determinant.hi);
+  const FourPairs p = product(q, determinant.hi);
+  const FourLanes rest = hn::Add(hn::Sub(hn::Sub(n.hi, p.hi), p.lo), hn::Sub(n.lo, hn::Mul(q, determinant.lo)));
+  constexpr double relative = rounding::pair_determinant_error / (predicates::triangle_error * numeric::unit);
+  return round_lanes(q, hn::Div(rest, determinant.hi), determinant.hi, bounds, relative, rounding::pair_quotient_error, hit);
+}
+
+HWY_INLINE FourLanes cross(FourLanes a, FourLanes b) {
+  return rotated(hn::MulSub(a, rotated(b), hn::Mul(rotated(a), b)));
+}
+
+/// The same for float, from determinants in double.
+HWY_INLINE bool round_face(const Ray<float>& ray, const TriangleBlock<float>& block, int lane,
+                           const rounding::FaceBounds& bounds, TriangleHit<float>& hit) {
+  const FourLanes a = corner(block, lane, 0), d = vector(ray.direction);
+  const FourLanes e1 = hn::Sub(corner(block, lane, 1), a), e2 = hn::Sub(corner(block, lane, 2), a);
+  const FourLanes t = hn::Sub(vector(ray.origin), a), h = cross(d, e2), g = cross(t, e1);
+  const FourLanes n = sums(hn::Mul(e2, g), hn::Mul(t, h), hn::Mul(d, g), hn::Mul(e1, h)), determinant = last_in_all(n);
+  return round_lanes(hn::Div(n, determinant), hn::Zero(Four()), determinant, bounds, 1, rounding::quotient_error, hit);
 }
 
 template <Real T>

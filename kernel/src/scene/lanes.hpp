@@ -19,7 +19,7 @@ namespace graze::scene {
 /// A ray as the filter on lanes sees it.
 template <Real T>
 struct RayLanes {
-  Vec3<T> origin, direction;
+  const Ray<T>& ray;
   T direction_sum, t_min, t_max;
   T end = 0;  ///< where `has_end`, hits beyond this do not matter
   bool has_default_range, has_t_max, has_end = false;
@@ -27,9 +27,8 @@ struct RayLanes {
   bool is_integer = false;  ///< whether all triangles' determinants are exact in double
 
   /// `extent` is of all the scene's corners.
-  RayLanes(const Ray<T>& ray, const numeric::Extent& extent) noexcept
-      : origin(ray.origin),
-        direction(ray.direction),
+  RayLanes(const Ray<T>& from, const numeric::Extent& extent) noexcept
+      : ray(from),
         direction_sum(numeric::magnitude(ray.direction.x) + numeric::magnitude(ray.direction.y) +
                       numeric::magnitude(ray.direction.z)),
         t_min(ray.t_min),

@@ -19,7 +19,7 @@ HWY_INLINE void bring(const Space& space, const Box& root, const Ray<T>& ray, bo
   if (HWY_LIKELY(is_plain)) {
     to_box_ray(space, root, ray, out);
   } else {
-    out = box_ray(space, root, ray);
+    to_any_box_ray(space, root, ray, out);
   }
 }
 

@@ -61,8 +61,8 @@ HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& b
   const hn::CappedTag<T, width> d;
   using V = hn::Vec<decltype(d)>;
   constexpr std::size_t lanes = hn::MaxLanes(hn::CappedTag<T, width>());
-  const Vectors<V> direction{hn::Set(d, ray.direction.x), hn::Set(d, ray.direction.y), hn::Set(d, ray.direction.z)};
-  const Vectors<V> origin{hn::Set(d, ray.origin.x), hn::Set(d, ray.origin.y), hn::Set(d, ray.origin.z)};
+  const auto all = [d](const Vec3<T>& p) HWY_ATTR { return Vectors<V>{hn::Set(d, p.x), hn::Set(d, p.y), hn::Set(d, p.z)}; };
+  const Vectors<V> direction = all(ray.ray.direction), origin = all(ray.ray.origin);
   const V along = hn::Set(d, ray.direction_sum), low = hn::Set(d, Ordinary<T, T>::low), high = hn::Set(d, Ordinary<T, T>::high);
   LaneVerdicts out{0, 0};
   for (std::size_t i = 0; i < width; i += lanes) {
