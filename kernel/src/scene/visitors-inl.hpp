@@ -115,7 +115,7 @@ class HitVisitor {
     found.is_face = true;
     found.is_rough = sizeof(T) < sizeof(double);
     found.t = enclose(distance, whole, distance_error, error);
-    // In double the bounds are in another unit, of sums of magnitudes that were rounded 16 times at most in float.
+    // The same bounds for determinants in double: of its unit, and with room for the 16 roundings at most that a bound takes.
     constexpr double share = numeric::unit / numeric::unit_of<T> * (sizeof(T) < sizeof(double) ? 1 + 0x1p-18 : 1);
     found.bounds = {share * error, share * distance_error, is_front};
     return self().hit(found);
