@@ -100,10 +100,13 @@ void settle(const ShearedRay<T>& ray, const TriangleColumns<T>& triangles, std::
 void settle_on_lattice(const TriangleRun<double>& run, std::size_t count, Verdicts& out) noexcept;
 void settle_on_lattice(const SphereRun<double>& run, std::size_t count, Verdicts& out) noexcept;
 
-/// A doubt of words: all lanes of a word are in doubt if one is, which takes less to tell.
-enum class Doubt { of_words, of_lanes };
 template <Real T>
-void settle(const UnitRay<T>& ray, const SphereColumns<T>& spheres, Doubt doubt, std::size_t first, std::size_t count,
+void settle(const UnitRay<T>& ray, const SphereColumns<T>& spheres, std::size_t first, std::size_t count,
             Verdicts& out) noexcept;
+/// The hits among whole words of the mask from lane `first`, which takes less where all lanes are certain. Returns of how many
+/// words, from the first, they are; what it writes of the others means nothing.
+template <Real T>
+[[nodiscard]] std::size_t settle_words(const UnitRay<T>& ray, const SphereColumns<T>& spheres, std::size_t first,
+                                       std::size_t words, std::uint64_t* mask) noexcept;
 
 }  // namespace graze::batch
