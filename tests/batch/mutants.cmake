@@ -90,6 +90,20 @@ graze_batch_mutant(
   REPLACE [[]])
 
 graze_batch_mutant(
+  lattice_without_ray FMA
+  MODELS "an origin that lies between the steps of the lattice"
+  FILE src/batch/on_lattice-inl.hpp
+  FIND [[last * 0x1p53]]
+  REPLACE [[last * 0x1p93]])
+
+graze_batch_mutant(
+  deposited_at_neighbour FMA
+  MODELS "what is known of a gathered lane given to the next"
+  FILE src/batch/on_lattice.cpp
+  FIND [[verdicts.hit[0] >> at,]]
+  REPLACE [[verdicts.hit[0] >> (at ^ 1),]])
+
+graze_batch_mutant(
   lattice_too_fine FMA
   MODELS "a lattice of so many steps that products are rounded"
   FILE src/batch/on_lattice-inl.hpp

@@ -176,6 +176,7 @@ template <class D, int n, bool many>
 class Source {
  public:
   using T = hn::TFromD<D>;
+  static constexpr bool is_many = true;
 
   HWY_INLINE explicit Source(const Columns<T, n>& columns) : columns_(columns) {}
   HWY_INLINE Lanes<D> get(int k, std::size_t i) const { return hn::LoadU(D(), columns_.column[k] + i); }
@@ -202,6 +203,7 @@ template <class D, int n>
 class Source<D, n, false> {
  public:
   using T = hn::TFromD<D>;
+  static constexpr bool is_many = false;
 
   HWY_INLINE explicit Source(const Columns<T, n>& columns) {
     for (int k = 0; k < n; ++k) spread_[k] = columns.column[k] == nullptr ? hn::Zero(D()) : hn::Set(D(), *columns.column[k]);

@@ -95,10 +95,17 @@ void settle(const SphereRun<T>& run, std::size_t first, std::size_t count, Verdi
 template <Real T>
 void settle(const ShearedRay<T>& ray, const TriangleColumns<T>& triangles, std::size_t first, std::size_t count,
             Verdicts& out) noexcept;
-/// The same of the first `count` lanes of double, by exact arithmetic: certain where they lie on lattices. Without range, in
-/// rounding to nearest, with subnormal numbers; the shapes are arrays.
-void settle_on_lattice(const TriangleRun<double>& run, std::size_t count, Verdicts& out) noexcept;
-void settle_on_lattice(const SphereRun<double>& run, std::size_t count, Verdicts& out) noexcept;
+/// A word of the mask and its lanes in doubt, and what is known of them.
+struct DoubtWord {
+  std::size_t word;
+  std::uint64_t doubt;
+  std::uint64_t hit, unknown;  ///< of those that were asked of
+};
+/// The same by exact arithmetic, certain where they lie on lattices, of lanes in doubt that were gathered: their first `count`,
+/// at most 64, in the order of the words. Returns how many words these lanes are of. Without range, in rounding to nearest,
+/// with subnormal numbers; the shapes are arrays.
+std::size_t settle_on_lattice(const TriangleRun<double>& run, std::size_t count, DoubtWord* words) noexcept;
+std::size_t settle_on_lattice(const SphereRun<double>& run, std::size_t count, DoubtWord* words) noexcept;
 
 template <Real T>
 void settle(const UnitRay<T>& ray, const SphereColumns<T>& spheres, std::size_t first, std::size_t count,
