@@ -64,6 +64,10 @@ struct Run {
   bool has_many_rays, has_many_shapes, has_range;
 };
 
+/// Said, because clang 14 deduces no aggregate's arguments itself.
+template <Real T, int shape_columns>
+Run(RayColumns<T>, Columns<T, shape_columns>, bool, bool, bool) -> Run<T, shape_columns>;
+
 template <Real T>
 using TriangleRun = Run<T, 9>;
 template <Real T>
