@@ -247,16 +247,9 @@ struct WordVerdict {
   }
 };
 
-// Several of these in one function take clang 19 minutes.
-#if defined(__clang__)
-#define GRAZE_SETTLE_INLINE HWY_NOINLINE
-#else
-#define GRAZE_SETTLE_INLINE HWY_INLINE
-#endif
-
 /// Calls filter(rays, shapes, i) for vectors of the lanes from `first`, and gathers its verdicts in words.
 template <class D, bool many_rays, bool many_shapes, int n, int m, class Filter>
-GRAZE_SETTLE_INLINE void settle(D d, const Columns<hn::TFromD<D>, n>& ray_columns, const Columns<hn::TFromD<D>, m>& shape_columns,
+HWY_INLINE void settle(D d, const Columns<hn::TFromD<D>, n>& ray_columns, const Columns<hn::TFromD<D>, m>& shape_columns,
                        std::size_t first, std::size_t count, Filter filter, Verdicts& out) {
   using T = hn::TFromD<D>;
   const std::size_t step = hn::Lanes(d);
@@ -290,7 +283,6 @@ GRAZE_SETTLE_INLINE void settle(D d, const Columns<hn::TFromD<D>, n>& ray_column
     out.side[word] = gathered.side;
   }
 }
-#undef GRAZE_SETTLE_INLINE
 
 /// The same for the sides that are arrays. FilterOf<D, has_range> is the filter.
 template <template <class, bool> class FilterOf, bool has_range, class T, int m>
