@@ -165,7 +165,7 @@ std::vector<Sphere<T>> doubtful(std::vector<Sphere<T>> spheres) {
 }
 
 /// Operations of a lane in the filters, a multiply-add counted as two, comparisons and bits as none.
-constexpr double triangle_operations = 60, sphere_operations = 26;
+constexpr double triangle_operations = 60, sphere_operations = 19;
 
 template <Real T>
 void race_triangles(int rounds) {

@@ -32,7 +32,7 @@ template <Real T, template <class> class Shape>
 [[nodiscard]] std::optional<std::string> find_batch_fault(const Batch<T, Shape>& batch);
 
 /// A batch of up to `longest` lanes of the families' cases and of small changes of them: equal shapes, corners in another
-/// order, numbers one ulp off.
+/// order, numbers one ulp off; some batches are of one ray and some words of plain shapes, one of them odd.
 template <Real T, template <class> class Shape>
 [[nodiscard]] Batch<T, Shape> random_batch(Random& random, std::size_t longest);
 

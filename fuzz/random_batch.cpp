@@ -21,13 +21,24 @@ std::optional<std::pair<Ray<T>, Triangle<T>>> parts(const Case<T>& input, const 
   return query ? std::optional(std::pair{query->ray, query->triangle}) : std::nullopt;
 }
 
-/// A case of that family at a random index, or of the next families where it has none of the query.
+/// A case of that family at a random index, if it is one of the query.
+template <Real T, template <class> class Shape>
+std::optional<std::pair<Ray<T>, Shape<T>>> draw_of(Random& random, const Family& family) {
+  const std::uint64_t seed = random.bits(), index = random.below(1000);
+  return parts(make<T>(family, seed, index).input, static_cast<const Shape<T>*>(nullptr));
+}
+/// The same, or a case of the next families where it has none of the query.
 template <Real T, template <class> class Shape>
 std::pair<Ray<T>, Shape<T>> draw(Random& random, std::size_t family) {
   for (;; ++family) {
-    const std::uint64_t seed = random.bits(), index = random.below(1000);
-    const auto made = make<T>(families()[family % families().size()], seed, index);
-    if (auto found = parts(made.input, static_cast<const Shape<T>*>(nullptr))) return *found;
+    if (auto found = draw_of<T, Shape>(random, families()[family % families().size()])) return *found;
+  }
+}
+/// One that filters decide, mostly.
+template <Real T, template <class> class Shape>
+std::pair<Ray<T>, Shape<T>> draw_plain(Random& random) {
+  for (const Family& family = *find_family("random");;) {
+    if (auto found = draw_of<T, Shape>(random, family)) return *found;
   }
 }
 
@@ -97,10 +108,42 @@ std::size_t random_length(Random& random, std::size_t longest) {
   return random.below(std::min(limit, longest) + 1);
 }
 
+template <Real T>
+void make_invalid(Sphere<T>& sphere) {
+  sphere.radius = -sphere.radius;
+}
+template <Real T>
+void make_invalid(Triangle<T>& triangle) {
+  triangle.c.z = std::numeric_limits<T>::infinity();
+}
+
+/// One ray and some words of shapes that filters decide, but for one at most.
+template <Real T, template <class> class Shape>
+Batch<T, Shape> plain_batch(Random& random, std::size_t longest) {
+  Batch<T, Shape> batch{BatchForm::one_ray, FloatMode::nearest, random.below(16), {}, {}};
+  batch.rays.push_back(draw_plain<T, Shape>(random).first);
+  const std::size_t n = std::min<std::size_t>(64 + random.below(512), longest);
+  for (std::size_t i = 0; i < n; ++i) batch.shapes.push_back(draw_plain<T, Shape>(random).second);
+  if (n == 0) return batch;
+  Shape<T>& odd = batch.shapes[random.below(n)];
+  switch (random.below(3)) {
+    case 0:
+      make_invalid(odd);
+      break;
+    case 1:
+      odd = draw<T, Shape>(random, random.below(families().size())).second;
+      break;
+    default:
+      break;
+  }
+  return batch;
+}
+
 }  // namespace
 
 template <Real T, template <class> class Shape>
 Batch<T, Shape> random_batch(Random& random, std::size_t longest) {
+  if (random.one_in(128)) return plain_batch<T, Shape>(random, longest);
   Batch<T, Shape> batch;
   batch.form = static_cast<BatchForm>(random.below(3));
   batch.mode = float_modes[random.below(float_modes.size())];

@@ -6,10 +6,11 @@
 # Proved, in this order: what underflows in D is less than 2^20 f (A + 1) or than 2^-20 of 8 units of A S, f the least normal number, in a
 # few cases of |L| and |d|; C errs by 6 roundings, its bound is computed in 5; D's first form errs by less than its bound as computed, in 10
 # roundings; a number is placed by two forms whose bounds cover them; B's sign is right where C and D are beyond their bounds.
-# Then in rounding to nearest, in v = u / 2: the length of d errs by 2.5, a component of the unit direction by 3.5, B by 7.5 and D by less than
-# its bound as computed, in 6 roundings.
+# Then in rounding to nearest, in v = u / 2: the length of d errs by 2.5, a component of the unit direction by 3.5, B by 7.5. Scaled so that
+# Q = 1: C errs by 7 where s = r^2 <= 1, which is less than the bound as computed, in 7 roundings; then D errs by less than that too.
 #
-# Left to say: as in sphere_filter.g; x = sqrt(1 + F3 v) - 1 is F3 v / (sqrt(1 + F3 v) + 1).
+# Left to say: as in sphere_filter.g; x = sqrt(1 + F3 v) - 1 is F3 v / (sqrt(1 + F3 v) + 1); (1 + F5 v - s (1 + E v)) (1 + K1 v) falls with s, so
+# for s >= 1 the computed C is at most what it may be at s = 1.
 batch_sphere_c_error = 8b0;              # bound: src/batch/bounds.hpp
 batch_sphere_discriminant_error = 32b0;  # bound: src/batch/bounds.hpp
 batch_sphere_place_error = 8b0;          # bound: src/batch/bounds.hpp
@@ -49,11 +50,13 @@ dbv = DB * v; dcv = DC * v; g2v = G2 * v; k1v = K1 * v; hv = H * v;
 { |F6| <= 98311b-14 /\ |F5| <= 81925b-14 -> batch_sphere_c_error * (1 + F5 * u) - F6 >= 1b-1 }
 { |DB| <= 65541b-14 -> DB * DB * u in [0, 1b-1] }
 
-# By the unit direction. Its length, a component, B, D; and B's sign, where b^2 > D > 2 v unit_sphere_error.
+# By the unit direction. Its length, a component, B, C, D; and B's sign, where b^2 > C > 2 v unit_sphere_error - 7 v.
 { |F3| <= 49155b-14 -> |F3 / (sqrt(1 + F3 * v) + 1)| <= 24580b-14 }
 { |X| <= 24580b-14 /\ |E| <= 1 -> |X + E + X * E * v| <= 40966b-14 }
 { |X| <= 40966b-14 /\ |E| <= 1 -> |(E - X) / (1 + X * v)| <= 57352b-14 }
 { |Y| <= 57352b-14 /\ |F4| <= 65540b-14 -> |Y + F4 + Y * F4 * v| <= 122900b-14 }
-{ |b| <= 1 /\ |c| <= 1 /\ |DB| <= 122900b-14 /\ |DC| <= 98311b-14 /\ |G2| <= 32770b-14 /\ |K1| <= 16385b-14 /\ |F6| <= 98310b-14 /\ |H| <= 1b-16 ->
-   |((2 * b * dbv + dbv * dbv) * (1 + g2v) + b * b * g2v - dcv * (1 + k1v) - c * k1v + hv) / v / (2 * batch_unit_sphere_error * (1 + F6 * v))| <= 1 }
+{ s in [0, 1] /\ |F5| <= 81925b-14 /\ |E| <= 1 /\ |K1| <= 1 -> |(F5 - E * s) * (1 + K1 * v) + K1 * (1 - s)| <= 114698b-14 }
+{ |DC| <= 114698b-14 /\ |F7| <= 114698b-14 /\ |H| <= 1b-16 -> |(DC + H) / (2 * batch_unit_sphere_error * (1 + F7 * v))| <= 1 }
+{ |b| <= 1 /\ |c| <= 1 /\ |DB| <= 122900b-14 /\ |DC| <= 114698b-14 /\ |G2| <= 32770b-14 /\ |K1| <= 16385b-14 /\ |F7| <= 114698b-14 /\ |H| <= 1b-16 ->
+   |((2 * b * dbv + dbv * dbv) * (1 + g2v) + b * b * g2v - dcv * (1 + k1v) - c * k1v + hv) / v / (2 * batch_unit_sphere_error * (1 + F7 * v))| <= 1 }
 { |DB| <= 122900b-14 -> DB * DB * v in [0, 1b-1] }

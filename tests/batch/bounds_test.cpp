@@ -85,7 +85,7 @@ TEST_CASE("The bounds of the sheared ray hold where a search makes them tight") 
 
 /// As unit_spheres-inl.hpp.
 struct UnitTerms {
-  double c, discriminant, size;
+  double b, c, discriminant, q;
 };
 UnitTerms unit_terms(const RaySphere<double>& query) {
   const Triple<double> e = triple<double>(query.ray.origin), center = triple<double>(query.sphere.center);
@@ -95,35 +95,56 @@ UnitTerms unit_terms(const RaySphere<double>& query) {
     d[k] /= length;
     l[k] = e[k] - center[k];
   }
-  const double b = d[0] * l[0] + (d[1] * l[1] + d[2] * l[2]);
-  const double c = l[0] * l[0] + (l[1] * l[1] + (l[2] * l[2] - r2));
-  return {c, b * b - c, c + 2 * r2};
+  const double b = d[0] * l[0] + (d[1] * l[1] + d[2] * l[2]), q = l[0] * l[0] + (l[1] * l[1] + l[2] * l[2]), c = q - r2;
+  return {b, c, b * b - c, q};
+}
+
+/// The same without error: B and D times A and its square root.
+struct ExactTerms {
+  mpq_class a, b, c, q;
+};
+ExactTerms exact_terms(const RaySphere<double>& query) {
+  const Triple<mpq_class> e = triple<mpq_class>(query.ray.origin), d = triple<mpq_class>(query.ray.direction),
+                          center = triple<mpq_class>(query.sphere.center);
+  ExactTerms out;
+  for (int k = 0; k < 3; ++k) {
+    const mpq_class l = e[k] - center[k];
+    out.a += d[k] * d[k];
+    out.b += d[k] * l;
+    out.q += l * l;
+  }
+  out.c = out.q - mpq_class(query.sphere.radius) * query.sphere.radius;
+  return out;
 }
 
 template <class Term>
 void climb_unit(std::string_view name, Term term) {
   climb<RaySphere<double>>(name, 20000, [&](const RaySphere<double>& query) {
-    const Triple<mpq_class> e = triple<mpq_class>(query.ray.origin), d = triple<mpq_class>(query.ray.direction),
-                            center = triple<mpq_class>(query.sphere.center);
-    mpq_class a, b, c = -mpq_class(query.sphere.radius) * query.sphere.radius;
-    for (int k = 0; k < 3; ++k) {
-      const mpq_class l = center[k] - e[k];
-      a += d[k] * d[k];
-      b += d[k] * l;
-      c += l * l;
-    }
-    if (sgn(a) == 0) return 0.0;
-    return term(unit_terms(query), c, mpq_class(b * b / a - c));
+    const ExactTerms exact = exact_terms(query);
+    return sgn(exact.a) == 0 ? 0.0 : term(unit_terms(query), exact);
   });
 }
 
 TEST_CASE("The bounds of the unit direction hold where a search makes them tight") {
   const double error = static_cast<double>(batch::unit_sphere_error) * u;
-  climb_unit("unit C", [&](const UnitTerms& is, const mpq_class& c, const mpq_class&) {
-    return share(is.c, c, error * mpq_class(is.size));
+  // Where the origin is outside; elsewhere only the signs are claimed.
+  climb_unit("unit C", [&](const UnitTerms& is, const ExactTerms& exact) {
+    return sgn(exact.c) < 0 ? 0.0 : share(is.c, exact.c, error * mpq_class(is.q));
   });
-  climb_unit("unit discriminant", [&](const UnitTerms& is, const mpq_class&, const mpq_class& discriminant) {
-    return share(is.discriminant, discriminant, error * mpq_class(is.size));
+  climb_unit("unit discriminant", [&](const UnitTerms& is, const ExactTerms& exact) {
+    const mpq_class discriminant = exact.b * exact.b / exact.a - exact.c;
+    return sgn(exact.c) < 0 ? 0.0 : share(is.discriminant, discriminant, error * mpq_class(is.q));
+  });
+}
+
+TEST_CASE("Beyond the bound of the unit direction the signs are right, inside and outside") {
+  const double error = static_cast<double>(batch::unit_sphere_error) * u;
+  // How near to the bound a wrong sign comes: the lesser of D and C as a share of it, where either's sign is wrong.
+  climb_unit("unit signs", [&](const UnitTerms& is, const ExactTerms& exact) {
+    const int c = sgn(exact.c), discriminant = sgn(mpq_class(exact.b * exact.b - exact.a * exact.c)), b = sgn(exact.b);
+    const bool is_hit = discriminant >= 0 && (c <= 0 || b <= 0), seems_hit = is.discriminant >= 0 && (is.c <= 0 || is.b <= 0);
+    const double least = std::fabs(std::min(is.discriminant, is.c));
+    return is_hit == seems_hit || is.q == 0 ? 0.0 : least / (error * is.q);
   });
 }
 

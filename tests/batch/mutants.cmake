@@ -69,11 +69,39 @@ graze_batch_mutant(
   REPLACE [[bound = T(0x1p-8) * T(unit_sphere_error) *]])
 
 graze_batch_mutant(
+  radii_of_words_unseen
+  MODELS "whole words decided with an invalid radius among them"
+  FILE src/batch/unit_spheres-inl.hpp
+  FIND [[ || !certainty.radii.holds()]]
+  REPLACE [[]])
+
+graze_batch_mutant(
+  doubt_of_words_unseen
+  MODELS "whole words decided with a doubtful lane among them"
+  FILE src/batch/unit_spheres-inl.hpp
+  FIND [[!certainty.decisions.holds() || ]]
+  REPLACE [[]])
+
+graze_batch_mutant(
   lattice_without_center FMA
   MODELS "a center that lies between the steps of the lattice"
   FILE src/batch/on_lattice-inl.hpp
   FIND [[positions.include(center), ]]
   REPLACE [[]])
+
+graze_batch_mutant(
+  lattice_without_ray FMA
+  MODELS "an origin that lies between the steps of the lattice"
+  FILE src/batch/on_lattice-inl.hpp
+  FIND [[last * 0x1p53]]
+  REPLACE [[last * 0x1p93]])
+
+graze_batch_mutant(
+  deposited_at_neighbour FMA
+  MODELS "what is known of a gathered lane given to the next"
+  FILE src/batch/on_lattice.cpp
+  FIND [[verdicts.hit[0] >> at,]]
+  REPLACE [[verdicts.hit[0] >> (at ^ 1),]])
 
 graze_batch_mutant(
   lattice_too_fine FMA

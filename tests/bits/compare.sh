@@ -16,28 +16,33 @@ mkdir -p "$folder"
 rows() {
   for compiler in g++-12 clang++-14 clang++-19; do
     for flags in -O0 -O1 -O2 -O3 '-O3 -mavx2 -mfma -ffp-contract=off' '-O3 -march=native' '-O3 -march=native -ffp-contract=fast'; do
-      echo "native $compiler $flags"
+      echo "answers_replay native $compiler $flags"
     done
   done
-  echo 'native g++-12 -O2 -mfpmath=387'
-  for flags in -O0 -O2 -O3 '-O2 -msse2 -mfpmath=sse'; do echo "native i686-linux-gnu-g++ $flags"; done
+  echo 'answers_replay native g++-12 -O2 -mfpmath=387'
+  for flags in -O0 -O2 -O3 '-O2 -msse2 -mfpmath=sse'; do echo "answers_replay native i686-linux-gnu-g++ $flags"; done
   for flags in -O0 -O3; do
-    echo "qemu-aarch64 aarch64-linux-gnu-g++ $flags"
-    echo "qemu-s390x s390x-linux-gnu-g++ $flags"
+    echo "answers_replay qemu-aarch64 aarch64-linux-gnu-g++ $flags"
+    echo "answers_replay qemu-s390x s390x-linux-gnu-g++ $flags"
   done
-  echo 'qemu-aarch64 clang++-19 -O3 --target=aarch64-linux-gnu'
+  echo 'answers_replay qemu-aarch64 clang++-19 -O3 --target=aarch64-linux-gnu'
+  # Batches: all instruction sets that the processor has; on Arm Neon.
+  for compiler in g++-12 clang++-14 clang++-19; do echo "batch_replay native $compiler -O2"; done
+  echo 'batch_replay qemu-aarch64 aarch64-linux-gnu-g++ -O2'
 }
 
 status=0
-printf '%-24s %-42s %s\n' compiler flags bits
+printf '%-8s %-24s %-42s %s\n' queries compiler flags bits
 rows >"$folder/rows"
-while read -r runner compiler flags; do
+while read -r program runner compiler flags; do
   case " $wanted " in '  ' | *" $compiler "*) ;; *) continue ;; esac
-  row=$folder/$(echo "$compiler$flags" | tr -c 'A-Za-z0-9+\n' _)
+  row=$folder/$(echo "$program$compiler$flags" | tr -c 'A-Za-z0-9+\n' _)
   result=0
   # shellcheck disable=SC2086
-  said=$(sh "$here/row.sh" "$folder/cases" "$row" "$runner" "$compiler" $flags) || result=$?
-  printf '%-24s %-42s %s\n' "$compiler" "$flags" "$said"
+  said=$(sh "$here/row.sh" "$folder/cases" "$row" "$program" "$runner" "$compiler" $flags) || result=$?
+  queries=single
+  [ "$program" = answers_replay ] || queries=batches
+  printf '%-8s %-24s %-42s %s\n' "$queries" "$compiler" "$flags" "$said"
   case $result in
     0 | 77) ;;
     1) [ "$status" -ne 0 ] || status=1 ;;

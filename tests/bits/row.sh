@@ -1,12 +1,14 @@
 #!/bin/sh
 # The same bits from one compiler and its flags: builds the kernel's single queries and their caller by hand, and replays the cases.
-#   row.sh CASES FOLDER RUNNER COMPILER [FLAG...]     RUNNER: `native`, or the emulator that runs the program
+#   row.sh CASES FOLDER PROGRAM RUNNER COMPILER [FLAG...]
+# PROGRAM: `answers_replay`, or `batch_replay` for the batches, which take Highway: natively all its instruction sets, elsewhere what the
+# flags say. RUNNER: `native`, or the emulator that runs the program.
 # The kernel's own files have the flags that kernel/CMakeLists.txt adds, after the others. Prints `same`, or what is not.
 # Exit status: 0 the same, 1 a difference, 2 it could not be built or run; 77 where compiler or emulator is missing.
 set -eu
 cd "$(dirname "$0")/../.."
-cases=$1 folder=$2 runner=$3 compiler=$4
-shift 4
+cases=$1 folder=$2 program=$3 runner=$4 compiler=$5
+shift 5
 
 for tool in "$compiler" "$runner"; do
   [ "$tool" = native ] || command -v "$tool" >/dev/null 2>&1 || {
@@ -32,23 +34,31 @@ compile() {
   }
 }
 : >"$log"
-# What single queries need.
-for source in $(find kernel/src -name '*.cpp' | grep -vE '/(batch|scene)/|/exact/(order|parity)\.cpp' | sort); do
+left_out='/(batch|scene)/|/exact/(order|parity)\.cpp'
+libraries='-static' # so that an emulator needs none of the target's
+if [ "$program" = batch_replay ]; then
+  left_out='/scene/|/exact/parity\.cpp'
+  if [ "$runner" = native ]; then
+    libraries='-lhwy'
+  else
+    set -- "$@" -DHWY_COMPILE_ONLY_STATIC -idirafter /usr/include
+  fi
+fi
+for source in $(find kernel/src -name '*.cpp' | grep -vE "$left_out" | sort); do
   # shellcheck disable=SC2086
   compile "$source" "$compiler" "$@" $own "$source"
 done
-for source in fuzz/kernel_calls.cpp tests/bits/answers_replay.cpp; do
+for source in fuzz/kernel_calls.cpp "tests/bits/$program.cpp"; do
   compile "$source" "$compiler" "$@" "$source"
 done
-# Static, so that an emulator needs none of the target's libraries.
 # shellcheck disable=SC2086
-"$compiler" "$@" -static -o "$folder/answers_replay" $objects >>"$log" 2>&1 || {
+"$compiler" "$@" -o "$folder/$program" $objects $libraries >>"$log" 2>&1 || {
   echo "not linked, see $log"
   exit 2
 }
 [ "$runner" != native ] || runner=
 status=0
-$runner "$folder/answers_replay" "$cases" tests/bits/golden.txt >>"$log" 2>&1 || status=$?
+$runner "$folder/$program" "$cases" tests/bits/golden.txt >>"$log" 2>&1 || status=$?
 case $status in
   0) echo same ;;
   1)

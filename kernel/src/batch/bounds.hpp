@@ -35,7 +35,7 @@ inline constexpr float combination_share = 1.25;        ///< the same: of the bo
 inline constexpr float sphere_c_error = 8;              ///< spheres-inl.hpp: C
 inline constexpr float sphere_discriminant_error = 32;  ///< spheres-inl.hpp: D
 inline constexpr float sphere_place_error = 8;          ///< spheres-inl.hpp: a number against the roots
-inline constexpr float unit_sphere_error = 16;          ///< unit_spheres-inl.hpp: C and D, in rounding to nearest
+inline constexpr float unit_sphere_error = 16;          ///< unit_spheres-inl.hpp: C and D, of L.L, in rounding to nearest
 inline constexpr float sheared_error = 16;              ///< sheared_triangles-inl.hpp: U, V, W and, times a length, T
 
 }  // namespace graze::batch

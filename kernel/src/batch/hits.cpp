@@ -12,26 +12,37 @@ namespace {
 constexpr std::size_t doubtful_lanes = 256;
 
 /// settle_lanes(first, count, verdicts) tells what the lanes know; the masks' other bits are those of the lanes in doubt.
-template <class Rays, class Shapes, class Settle>
-void decide(const Rays& rays, const Shapes& shapes, std::uint64_t* mask, const Settle& settle_lanes) noexcept {
+/// settle_words(first, words) tells of how many words all lanes are certain, and has written these; it is asked while there is
+/// no doubt.
+template <class Rays, class Shapes, class SettleLanes, class SettleWords>
+void decide(const Rays& rays, const Shapes& shapes, std::uint64_t* mask, const SettleLanes& settle_lanes,
+            const SettleWords& settle_words) noexcept {
   const std::size_t n = lanes(rays, shapes);
   Verdicts verdicts;
   Doubts<Rays, Shapes> doubts(rays, shapes, mask);
-  std::size_t most = run_lanes;
+  bool has_doubts = false;
   for (std::size_t first = 0, count = 0; first < n; first += count) {
-    count = std::min(most, n - first);
+    if (!has_doubts) {
+      first += 64 * settle_words(first, (n - first) / 64);
+      if (first == n) break;
+    }
+    count = std::min(has_doubts ? doubtful_lanes : run_lanes, n - first);
     settle_lanes(first, count, verdicts);
     for (std::size_t word = 0; 64 * word < count; ++word) {
       mask[first / 64 + word] = verdicts.hit[word] & present(count - 64 * word);
     }
-    most = has_doubt(verdicts, count) ? doubtful_lanes : run_lanes;
-    if (most == run_lanes) continue;
+    has_doubts = has_doubt(verdicts, count);
+    if (!has_doubts) continue;
     for (std::size_t word = 0; 64 * word < count; ++word) {
       const std::uint64_t doubt = verdicts.doubt[word] & present(count - 64 * word);
       if (doubt != 0) doubts.add(first / 64 + word, doubt);
     }
   }
   doubts.finish();
+}
+template <class Rays, class Shapes, class SettleLanes>
+void decide(const Rays& rays, const Shapes& shapes, std::uint64_t* mask, const SettleLanes& settle_lanes) noexcept {
+  decide(rays, shapes, mask, settle_lanes, [](std::size_t, std::size_t) { return std::size_t(0); });
 }
 
 template <class Rays, class Shapes>
@@ -63,13 +74,9 @@ void hits(const Ray<T>& ray, const SphereArrays<T>& spheres, std::uint64_t* mask
   const auto unit = unit_ray(ray);
   if (!unit) return decide(ray, spheres, mask);
   const SphereColumns<T> all = columns(spheres);
-  // Where there was no doubt, none is looked for: the lanes only tell of a word that all are certain.
-  Doubt doubt = Doubt::of_words;
-  decide(ray, spheres, mask, [&](std::size_t first, std::size_t count, Verdicts& out) {
-    settle(*unit, all, doubt, first, count, out);
-    if (doubt == Doubt::of_words && has_doubt(out, count)) settle(*unit, all, Doubt::of_lanes, first, count, out);
-    doubt = has_doubt(out, count) ? Doubt::of_lanes : Doubt::of_words;
-  });
+  decide(
+      ray, spheres, mask, [&](std::size_t first, std::size_t count, Verdicts& out) { settle(*unit, all, first, count, out); },
+      [&](std::size_t first, std::size_t words) { return settle_words(*unit, all, first, words, mask + first / 64); });
 }
 template <Real T>
 void hits(const RayArrays<T>& rays, const Sphere<T>& sphere, std::uint64_t* mask) noexcept {

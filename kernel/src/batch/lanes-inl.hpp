@@ -65,6 +65,85 @@ HWY_INLINE LaneMask<D> sign_mask([[maybe_unused]] D d, Lanes<D> v) {
 #endif
 }
 
+/// min(|a|, |b|), where that is |min(a, b)|.
+template <class D>
+HWY_INLINE Lanes<D> least_magnitude([[maybe_unused]] D d, Lanes<D> a, Lanes<D> b) {
+#if HWY_TARGET == HWY_AVX3
+  constexpr int least_of_magnitudes = 2, positive = 2 << 2;
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+    return Lanes<D>{_mm512_range_ps(a.raw, b.raw, least_of_magnitudes | positive)};
+  } else {
+    return Lanes<D>{_mm512_range_pd(a.raw, b.raw, least_of_magnitudes | positive)};
+  }
+#else
+  return hn::Abs(hn::Min(a, b));
+#endif
+}
+
+/// Whether a > b in every lane of all vectors that were included.
+template <class D>
+class AllGreater {
+ public:
+#if HWY_TARGET == HWY_AVX3
+  // The comparison takes the mask so far, and is all that it takes.
+  HWY_INLINE AllGreater() : all_(hn::Eq(hn::Zero(D()), hn::Zero(D()))) {}
+  HWY_INLINE void include(Lanes<D> a, Lanes<D> b) {
+    if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+      all_ = {_mm512_mask_cmp_ps_mask(all_.raw, a.raw, b.raw, _CMP_GT_OQ)};
+    } else {
+      all_ = {_mm512_mask_cmp_pd_mask(all_.raw, a.raw, b.raw, _CMP_GT_OQ)};
+    }
+  }
+  HWY_INLINE bool holds() const {
+    return hn::AllTrue(D(), all_);
+  }
+
+ private:
+  LaneMask<D> all_;
+#else
+  HWY_INLINE AllGreater() : all_(hn::SignBit(D())) {}
+  HWY_INLINE void include(Lanes<D> a, Lanes<D> b) {
+    all_ = hn::And(all_, hn::VecFromMask(D(), hn::Gt(a, b)));
+  }
+  HWY_INLINE bool holds() const {
+    return hn::AllTrue(D(), sign_mask(D(), all_));
+  }
+
+ private:
+  Lanes<D> all_;  // the sign bits
+#endif
+};
+
+/// Whether no number is negative, -0, infinite or a NaN: as integers these are the greatest.
+template <class D>
+class AllFinite {
+ public:
+  HWY_INLINE AllFinite() : greatest_(hn::Zero(DU())) {}
+  HWY_INLINE void include(Lanes<D> x) { greatest_ = hn::Max(greatest_, hn::BitCast(DU(), x)); }
+  HWY_INLINE bool holds() const {
+    const hn::RebindToUnsigned<D> du;
+    return hn::AllTrue(du, is_finite(hn::BitCast(du, greatest_)));
+  }
+  /// The same of each lane.
+  static HWY_INLINE LaneMask<D> of(Lanes<D> x) {
+    return hn::RebindMask(D(), is_finite(hn::BitCast(hn::RebindToUnsigned<D>(), x)));
+  }
+
+ private:
+#if HWY_TARGET == HWY_SCALAR
+  using DU = hn::RebindToUnsigned<D>;
+#else
+  // Of a double's halves the upper tells; a maximum of 64 bits takes several operations.
+  using DU = hn::Repartition<std::uint32_t, D>;
+#endif
+
+  static HWY_INLINE auto is_finite(hn::Vec<hn::RebindToUnsigned<D>> bits) {
+    return hn::Lt(bits, hn::BitCast(hn::RebindToUnsigned<D>(), hn::Inf(D())));
+  }
+
+  hn::Vec<DU> greatest_;
+};
+
 template <class D>
 struct Vector3 {
   Lanes<D> x, y, z;
@@ -97,6 +176,7 @@ template <class D, int n, bool many>
 class Source {
  public:
   using T = hn::TFromD<D>;
+  static constexpr bool is_many = true;
 
   HWY_INLINE explicit Source(const Columns<T, n>& columns) : columns_(columns) {}
   HWY_INLINE Lanes<D> get(int k, std::size_t i) const { return hn::LoadU(D(), columns_.column[k] + i); }
@@ -123,6 +203,7 @@ template <class D, int n>
 class Source<D, n, false> {
  public:
   using T = hn::TFromD<D>;
+  static constexpr bool is_many = false;
 
   HWY_INLINE explicit Source(const Columns<T, n>& columns) {
     for (int k = 0; k < n; ++k) spread_[k] = columns.column[k] == nullptr ? hn::Zero(D()) : hn::Set(D(), *columns.column[k]);
@@ -166,8 +247,7 @@ struct WordVerdict {
   }
 };
 
-/// Calls filter(rays, shapes, i) for vectors of the lanes from `first`, and gathers its verdicts in words. A filter may tell
-/// only of a whole word whether its lanes are settled: begin_word() before those, and is_sure() after them.
+/// Calls filter(rays, shapes, i) for vectors of the lanes from `first`, and gathers its verdicts in words.
 template <class D, bool many_rays, bool many_shapes, int n, int m, class Filter>
 HWY_INLINE void settle(D d, const Columns<hn::TFromD<D>, n>& ray_columns, const Columns<hn::TFromD<D>, m>& shape_columns,
                        std::size_t first, std::size_t count, Filter filter, Verdicts& out) {
@@ -182,7 +262,6 @@ HWY_INLINE void settle(D d, const Columns<hn::TFromD<D>, n>& ray_columns, const 
   for (std::size_t word = 0; 64 * word < count; ++word) {
     const std::size_t left = count - 64 * word < 64 ? count - 64 * word : 64;
     WordVerdict gathered;
-    if constexpr (requires { filter.begin_word(); }) filter.begin_word();
     for (std::size_t lane = 0; lane < left; lane += 4 * step) {
       if (left - lane < 4 * step) {
         const std::size_t start = first + 64 * word + lane;
@@ -199,7 +278,6 @@ HWY_INLINE void settle(D d, const Columns<hn::TFromD<D>, n>& ray_columns, const 
       rays.advance(4 * step);
       shapes.advance(4 * step);
     }
-    if constexpr (requires { filter.is_sure(); }) gathered.settled = filter.is_sure() ? ~std::uint64_t(0) : 0;
     out.hit[word] = gathered.hit & gathered.settled;
     out.doubt[word] = ~gathered.settled;
     out.side[word] = gathered.side;

@@ -7,8 +7,12 @@
 #define GRAZE_BATCH_ON_LATTICE_INL_HPP
 #endif
 
+#include <algorithm>
+#include <bit>
+
 #include "batch/bounds.hpp"
 #include "batch/lanes-inl.hpp"
+#include "graze/numeric/filter.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::batch {
@@ -31,13 +35,12 @@ class LatticeLanes {
   HWY_INLINE void include(V x) { off_ = hn::Or(off_, hn::Xor(x, hn::Sub(hn::Add(x, size_), size_))); }
   HWY_INLINE void include(const Vector3<D>& v) { include(v.x), include(v.y), include(v.z); }
 
-  /// Also that the sizes are ordinary.
-  HWY_INLINE LaneMask<D> holds_all() const {
+  /// Also that the sizes are ordinary, and at most `greatest`.
+  HWY_INLINE LaneMask<D> holds_all(V greatest = hn::Set(D(), Bounds<double>::high)) const {
     const D d;
     const hn::RebindToUnsigned<D> du;
     const auto is_off = hn::Ne(hn::BitCast(du, hn::Abs(off_)), hn::Zero(du));
-    const auto is_ordinary =
-        hn::And(hn::Ge(size_, hn::Set(d, Bounds<double>::low)), hn::Le(size_, hn::Set(d, Bounds<double>::high)));
+    const auto is_ordinary = hn::And(hn::Ge(size_, hn::Set(d, Bounds<double>::low)), hn::Le(size_, greatest));
     return hn::AndNot(hn::RebindMask(d, is_off), is_ordinary);
   }
 
@@ -46,6 +49,27 @@ class LatticeLanes {
 
   V size_, off_;
 };
+
+/// The greatest size, of those that are ordinary, on whose lattice x, y and z are. A size in [2^k, 2^(k+1)) has steps of
+/// 2^(k-53), and the number's last bit is to be no less.
+HWY_INLINE double greatest_size(double x, double y, double z) {
+  double greatest = Bounds<double>::high;
+  for (const double v : {x, y, z}) {
+    const std::uint64_t all = numeric::magnitude_bits(v), above = all & (all - 1), mantissa = (std::uint64_t(1) << 52) - 1;
+    if (all == 0) continue;
+    const double magnitude = std::bit_cast<double>(all);
+    const double last = (all & mantissa) == 0 ? magnitude : magnitude - std::bit_cast<double>(above);
+    greatest = std::min(greatest, last * 0x1p53);
+  }
+  return greatest;
+}
+
+/// That of the one ray's origin. Of many rays each lane looks itself.
+template <class D, int m>
+HWY_INLINE Lanes<D> greatest_position(const Run<double, m>& run) {
+  const auto& ray = run.rays.column;
+  return hn::Set(D(), run.has_many_rays ? Bounds<double>::high : greatest_size(*ray[0], *ray[1], *ray[2]));
+}
 
 /// hi + lo. In steps, lo is an integer far below 2^53 in all that follows: sums of such are without error, and so is the sign
 /// of hi + lo as rounded.
@@ -88,8 +112,11 @@ HWY_INLINE LaneMask<D> is_number(Lanes<D> v) {
 /// whole or u one.
 /// A ray in the triangle's plane, or beside it, is left in doubt.
 template <class D, bool has_range>
-struct TrianglesOnLattice {
+class TrianglesOnLattice {
   static_assert(!has_range);
+
+ public:
+  HWY_INLINE explicit TrianglesOnLattice(const Run<double, 9>& run) : greatest_(greatest_position<D>(run)) {}
 
   template <class Rays, class Triangles>
   HWY_INLINE WordVerdict operator()(const Rays& rays, const Triangles& triangles, std::size_t i) const {
@@ -99,10 +126,11 @@ struct TrianglesOnLattice {
     const Vector3<D> a = triangles.vector(0, i), b = triangles.vector(3, i), c = triangles.vector(6, i);
     const Vector3<D> e1 = b - a, e2 = c - a, t = e - a;
     LatticeLanes<D> positions(hn::Max(greatest<D>(e1), hn::Max(greatest<D>(e2), greatest<D>(t))));
-    positions.include(e), positions.include(a), positions.include(b), positions.include(c);
+    positions.include(a), positions.include(b), positions.include(c);
+    if constexpr (Rays::is_many) positions.include(e);
     LatticeLanes<D> directions(greatest<D>(direction));
     directions.include(direction);
-    const auto is_exact = hn::And(positions.holds_all(), directions.holds_all());
+    const auto is_exact = hn::And(positions.holds_all(greatest_), directions.holds_all());
     const Vector3<D> h = cross<D>(direction, e2), g = cross<D>(t, e1);
     const LanePair<D> whole = pair_dot<D>(e1, h), u = pair_dot<D>(t, h), v = pair_dot<D>(direction, g),
                       distance = pair_dot<D>(e2, g), w = whole - u - v;
@@ -112,14 +140,20 @@ struct TrianglesOnLattice {
     const auto is_told = hn::And(hn::And(is_exact, hn::Ne(determinant, zero)), is_number<D>(hn::Add(determinant, u.hi)));
     return {bits(d, hn::And(is_told, hn::Ge(least, zero))), bits(d, is_told), 0};
   }
+
+ private:
+  Lanes<D> greatest_;
 };
 
 /// The coefficients of spheres-inl.hpp. In steps, components of L and d, and r, are below 2^25, for twice their size is taken:
 /// A, B, and L.L + r^2 at most 2^52. B^2 and A C are pairs without error; rounding is monotone, so where their high parts
 /// differ, they do. A NaN anywhere makes B or C one. With its sign bit set a radius is left in doubt.
 template <class D, bool has_range>
-struct SpheresOnLattice {
+class SpheresOnLattice {
   static_assert(!has_range);
+
+ public:
+  HWY_INLINE explicit SpheresOnLattice(const Run<double, 4>& run) : greatest_(greatest_position<D>(run)) {}
 
   template <class Rays, class Spheres>
   HWY_INLINE WordVerdict operator()(const Rays& rays, const Spheres& spheres, std::size_t i) const {
@@ -128,17 +162,21 @@ struct SpheresOnLattice {
     const Vector3<D> e = rays.vector(0, i), direction = rays.vector(3, i), center = spheres.vector(0, i), l = center - e;
     const V r = spheres.get(3, i), two = hn::Set(d, 2);
     LatticeLanes<D> positions(hn::Mul(two, hn::Max(greatest<D>(l), r))), directions(hn::Mul(two, greatest<D>(direction)));
-    positions.include(e), positions.include(center), positions.include(r);
+    positions.include(center), positions.include(r);
     directions.include(direction);
+    if constexpr (Rays::is_many) positions.include(e);
     const V a = dot<D>(direction, direction), b = dot<D>(direction, l), c = hn::NegMulAdd(r, r, dot<D>(l, l)),
             zero = hn::Zero(d);
     const LanePair<D> bb = pair_product<D>(b, b), ac = pair_product<D>(a, c);
     const auto has_root = hn::Or(hn::Gt(bb.hi, ac.hi), hn::And(hn::Eq(bb.hi, ac.hi), hn::Ge(bb.lo, ac.lo)));
     const auto is_ahead = hn::Or(hn::Ge(b, zero), hn::Le(c, zero));
-    const auto is_exact = hn::And(positions.holds_all(), directions.holds_all());
+    const auto is_exact = hn::And(positions.holds_all(greatest_), directions.holds_all());
     const auto is_told = hn::AndNot(sign_mask(d, r), hn::And(is_exact, is_number<D>(hn::Add(b, c))));
     return {bits(d, hn::And(is_told, hn::And(has_root, is_ahead))), bits(d, is_told), 0};
   }
+
+ private:
+  Lanes<D> greatest_;
 };
 
 }  // namespace HWY_NAMESPACE

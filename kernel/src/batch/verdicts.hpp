@@ -64,6 +64,10 @@ struct Run {
   bool has_many_rays, has_many_shapes, has_range;
 };
 
+/// Said, because clang 14 deduces no aggregate's arguments itself.
+template <Real T, int shape_columns>
+Run(RayColumns<T>, Columns<T, shape_columns>, bool, bool, bool) -> Run<T, shape_columns>;
+
 template <Real T>
 using TriangleRun = Run<T, 9>;
 template <Real T>
@@ -95,15 +99,25 @@ void settle(const SphereRun<T>& run, std::size_t first, std::size_t count, Verdi
 template <Real T>
 void settle(const ShearedRay<T>& ray, const TriangleColumns<T>& triangles, std::size_t first, std::size_t count,
             Verdicts& out) noexcept;
-/// The same of the first `count` lanes of double, by exact arithmetic: certain where they lie on lattices. Without range, in
-/// rounding to nearest, with subnormal numbers; the shapes are arrays.
-void settle_on_lattice(const TriangleRun<double>& run, std::size_t count, Verdicts& out) noexcept;
-void settle_on_lattice(const SphereRun<double>& run, std::size_t count, Verdicts& out) noexcept;
+/// A word of the mask and its lanes in doubt, and what is known of them.
+struct DoubtWord {
+  std::size_t word;
+  std::uint64_t doubt;
+  std::uint64_t hit, unknown;  ///< of those that were asked of
+};
+/// The same by exact arithmetic, certain where they lie on lattices, of lanes in doubt that were gathered: their first `count`,
+/// at most 64, in the order of the words. Returns how many words these lanes are of. Without range, in rounding to nearest,
+/// with subnormal numbers; the shapes are arrays.
+std::size_t settle_on_lattice(const TriangleRun<double>& run, std::size_t count, DoubtWord* words) noexcept;
+std::size_t settle_on_lattice(const SphereRun<double>& run, std::size_t count, DoubtWord* words) noexcept;
 
-/// A doubt of words: all lanes of a word are in doubt if one is, which takes less to tell.
-enum class Doubt { of_words, of_lanes };
 template <Real T>
-void settle(const UnitRay<T>& ray, const SphereColumns<T>& spheres, Doubt doubt, std::size_t first, std::size_t count,
+void settle(const UnitRay<T>& ray, const SphereColumns<T>& spheres, std::size_t first, std::size_t count,
             Verdicts& out) noexcept;
+/// The hits among whole words of the mask from lane `first`, which takes less where all lanes are certain. Returns of how many
+/// words, from the first, they are; what it writes of the others means nothing.
+template <Real T>
+[[nodiscard]] std::size_t settle_words(const UnitRay<T>& ray, const SphereColumns<T>& spheres, std::size_t first,
+                                       std::size_t words, std::uint64_t* mask) noexcept;
 
 }  // namespace graze::batch

@@ -1,0 +1,81 @@
+// As answers_replay, by batches: pairs, one ray, one shape; by every instruction set of the processor, or, compiled for one
+// alone, by that.
+//   batch_replay CASES GOLDEN
+// Exit status: 0 all is as in the golden file, 1 not, 2 a file cannot be read.
+#include <fstream>
+
+#include "batch/targets.hpp"
+#include "hwy/highway.h"
+#include "tests/bits/batch_digest.hpp"
+#include "tests/bits/case_stream.hpp"
+
+namespace graze::fuzz {
+namespace {
+
+template <Real T>
+Digest digest_of(std::istream& cases, BatchCall call) {
+  BatchStreamDigest<T> stream(call);
+  for (std::uint64_t index = 0; index < cases_of_a_stream && cases; ++index) stream.add(read_case<T>(cases));
+  return stream.digest();
+}
+
+/// All streams; nothing where the file is cut short.
+Digests digests(const char* path, BatchCall call) {
+  std::ifstream cases(path, std::ios::binary);
+  Digests all;
+  for (std::string name; std::getline(cases, name);) {
+    all[name] = name.ends_with(" float") ? digest_of<float>(cases, call) : digest_of<double>(cases, call);
+    if (!cases) return {};
+  }
+  return all;
+}
+
+/// Calls f(name) for each instruction set, until it is false.
+template <class F>
+bool with_each_target(F f) {
+#if defined(HWY_COMPILE_ONLY_STATIC)
+  return f(hwy::TargetName(HWY_STATIC_TARGET));
+#else
+  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
+    hwy::SetSupportedTargetsForTest(left & -left);
+    hwy::GetChosenTarget().DeInit();
+    if (!f(hwy::TargetName(left & -left))) return false;
+  }
+  return true;
+#endif
+}
+
+}  // namespace
+}  // namespace graze::fuzz
+
+int main(int argc, char** argv) {
+  using namespace graze::fuzz;
+  if (argc != 3) {
+    std::cerr << "usage: batch_replay CASES GOLDEN\n";
+    return 2;
+  }
+  std::ifstream golden(argv[2]);
+  if (!golden) {
+    std::cerr << argv[2] << ": cannot be read\n";
+    return 2;
+  }
+  const Digests wanted = read(golden);
+  bool is_cut_short = false;
+  const bool is_same = with_each_target([&](const char* target) {
+    for (const auto& [call, name] :
+         {std::pair{BatchCall::pairs, "pairs"}, {BatchCall::one_ray, "one ray"}, {BatchCall::one_shape, "one shape"}}) {
+      const Digests ours = digests(argv[1], call);
+      is_cut_short = ours.empty();
+      if (is_cut_short) return false;
+      const bool is_well_here = is_well(wanted, ours);
+      std::cerr << "batches, " << name << ", " << target << (is_well_here ? ": as they should be\n" : ": not so\n");
+      if (!is_well_here) return false;
+    }
+    return true;
+  });
+  if (is_cut_short) {
+    std::cerr << argv[1] << ": cannot be read, or is cut short\n";
+    return 2;
+  }
+  return is_same ? 0 : 1;
+}
