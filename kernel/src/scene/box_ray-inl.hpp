@@ -45,7 +45,7 @@ HWY_NOINLINE HWY_FLATTEN double first_tau(const BoxRay& out, const Ray<T>& ray) 
 }
 template <Real T>
 HWY_NOINLINE HWY_FLATTEN void end_with(BoxRay& out, const Ray<T>& ray) {
-  if (HWY_UNLIKELY(numeric::is_finite(ray.t_max))) end_with(out, ray);
+  out.end_with(ray);
 }
 template <Real T>
 HWY_NOINLINE HWY_FLATTEN void to_any_box_ray(const Space& space, const Box& root, const Ray<T>& ray, BoxRay& out) {
