@@ -92,6 +92,34 @@ TEST_CASE("Every target gives the same answers") {
   });
 }
 
+TEST_CASE("A ray that begins or ends at the end of the numbers' range is answered by every target") {
+  const EachTarget targets;
+  in_both_formats([&]<Real T>() {
+    constexpr T most = std::numeric_limits<T>::max();
+    Scene<T> scene;
+    REQUIRE(
+        scene.build({Mesh<T>{std::vector<Vec3<T>>{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, std::vector<Corners>{{0, 1, 2}}}}).ok());
+    for (std::uint64_t i = 0; i < targets.size(); ++i) {
+      targets.choose(i);
+      for (const T length : {T(1), T(1024), T(0x1p-30), T(0x1p-100)}) {
+        Ray<T> ray{{T(0.25), T(0.25), 0}, {0, 0, length}};
+        const auto is_hit = [&](T t_min, T t_max) {
+          ray.t_min = t_min;
+          ray.t_max = t_max;
+          const bool is_one = scene.any(ray);
+          return is_one == scene.closest(ray).is_hit() && is_one == (scene.count(ray) == 1) ? int(is_one) : -1;
+        };
+        constexpr T endless = std::numeric_limits<T>::infinity();
+        CHECK(is_hit(most, endless) == 0);
+        CHECK(is_hit(most, most) == 0);
+        CHECK(is_hit(-most, endless) == 1);
+        CHECK(is_hit(-most, most) == 1);
+        CHECK(is_hit(-most, -most) == 0);
+      }
+    }
+  });
+}
+
 TEST_CASE("Spans of rays are answered like single rays, on one thread or all") {
   in_both_formats([]<Real T>() {
     each_plain_scene<T>(10, [](const SceneDraft<T>& draft, const Scene<T>& scene, Random& random) {

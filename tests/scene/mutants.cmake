@@ -91,6 +91,15 @@ graze_scene_mutant(
   REPLACE [[double g = 0]])
 
 graze_scene_mutant(
+  box_offset_on_lanes
+  BY campaign
+  MODELS "the same where a ray's axes are in lanes"
+  FILE src/scene/box_ray-inl.hpp
+  FIND [[V g = hn::Add(hn::Mul(set(0x1p-21), hn::Abs(f)), error), nearly_r = r;]]
+  REPLACE [[V g = hn::Mul(set(0), error), nearly_r = r;]]
+  FMA)
+
+graze_scene_mutant(
   tie_later_index
   BY campaign
   MODELS "of equal t the highest index"

@@ -82,12 +82,12 @@ struct BoxRay {
     return t * power_of_two(first) * power_of_two(second) * power_of_two(third);
   }
 
-  /// At most the tau of t_min. Every hit has |tau| <= 2^41, so clamping at 2^60 loses none. A subnormal t_min may be read as 0,
-  /// which is 2^-1022 off.
+  /// At most the tau of t_min. Every hit has |tau| <= 2^41, so clamping at 2^60 loses none; and first at 2^100, since an
+  /// infinite one has no error to subtract. A subnormal t_min may be read as 0, which is 2^-1022 off.
   template <Real T>
   [[nodiscard]] double first_tau(const Ray<T>& ray) const noexcept {
     if (numeric::magnitude_bits(ray.t_min) == 0) return 0;
-    const double first = tau(to_double(ray.t_min));
+    const double first = std::clamp(tau(to_double(ray.t_min)), -0x1p100, 0x1p100);
     const double error = 0x1p-50 * __builtin_fabs(first) + tau(0x1p-1021) + 0x1p-1000;
     return std::clamp(first - error, -0x1p60, 0x1p60);
   }

@@ -52,7 +52,7 @@ class Builder {
     auto out = std::make_unique<Branch>();
     out->range = range;
     if (is_leaf(range)) {
-      out->cost.fill(range.box.half_area() * leaf_cost);
+      out->cost.fill(area(range) * leaf_cost);
       return out;
     }
     const auto halves = split(range);
@@ -68,6 +68,8 @@ class Builder {
  private:
   /// What visiting a node and a leaf take, in one unit.
   static constexpr float node_cost = 1, leaf_cost = 1;
+  /// In proportion to how many rays meet it; where areas are zero, so that fewer nodes cost less.
+  [[nodiscard]] static float area(const Range& range) noexcept { return range.box.half_area() + 0x1p-100f; }
 
   /// From its halves' costs.
   static void weigh(Branch& branch) noexcept {
@@ -81,7 +83,7 @@ class Builder {
         branch.share[n] = static_cast<std::uint8_t>(k);
       }
     }
-    branch.cost[0] = branch.range.box.half_area() * node_cost + parted[width];
+    branch.cost[0] = area(branch.range) * node_cost + parted[width];
     for (int n = 2; n < width; ++n) {
       const float fewer = branch.cost[n - 2];
       if (!(parted[n] < fewer)) branch.share[n] = 0;

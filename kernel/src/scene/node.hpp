@@ -9,7 +9,7 @@
 namespace graze::scene {
 
 inline constexpr int width = 8;
-/// Levels of the hierarchy, at most; see build.cpp.
+/// Levels of the hierarchy, at most; see divide.cpp.
 inline constexpr int deepest = 100;
 
 /// A child: an inner node, or a block of triangles or of spheres; or nothing, whose box nothing meets but a blind ray.

@@ -46,9 +46,9 @@ struct Candidate {
   std::uint8_t lane = 0;
   std::uint32_t block = 0;
   std::uint32_t index = no_primitive;
-  Enclosure t;
-  double whole, distance;       ///< a triangle's determinants, where is_integer
-  rounding::FaceBounds bounds;  ///< where is_face
+  Enclosure t{};
+  double whole = 0, distance = 0;  ///< a triangle's determinants, where is_integer
+  rounding::FaceBounds bounds{};   ///< where is_face
 };
 
 /// Calls f with the candidate's shape.
