@@ -9,6 +9,10 @@
 
 namespace graze::bench {
 
+/// What a lane of one ray against arrays takes in the filters of batch/*-inl.hpp: a multiply-add is two operations,
+/// comparisons, signs and bits none.
+inline constexpr double batch_triangle_operations = 60, batch_sphere_operations = 19;
+
 /// How many of the shapes one ray hits, by a branch-free formula: what vectors do best.
 template <Real T, class Shapes>
 using Count = std::size_t (*)(const Ray<T>&, const Shapes&);

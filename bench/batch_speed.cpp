@@ -164,9 +164,6 @@ std::vector<Sphere<T>> doubtful(std::vector<Sphere<T>> spheres) {
   return spheres;
 }
 
-/// Operations of a lane in the filters, a multiply-add counted as two, comparisons and bits as none.
-constexpr double triangle_operations = 60, sphere_operations = 19;
-
 template <Real T>
 void race_triangles(int rounds) {
   namespace mt = fuzz::moller_trumbore;
@@ -185,7 +182,7 @@ void race_triangles(int rounds) {
                       [](const auto& q, const auto& s) { return textbook::cramer::hits(q, s); })};
   };
   race_tiers<T>("one ray against 4,096 random triangles", loops(rays, plain.arrays()), rays, plain.arrays(),
-                triangle_operations, 9 * sizeof(T), rounds, [&](const PeerSet& peers, std::vector<Contender>& out) {
+                batch_triangle_operations, 9 * sizeof(T), rounds, [&](const PeerSet& peers, std::vector<Contender>& out) {
                   Count<T, Arrays> count;
                   if constexpr (sizeof(T) == sizeof(float)) {
                     count = peers.float_triangles;
@@ -195,7 +192,7 @@ void race_triangles(int rounds) {
                   out.push_back(compiled(std::string("Moeller-Trumbore, ") + peers.name, rays, plain.arrays(), count));
                 });
   race_tiers<T>("the same, one in ten through an edge", loops(ahead, doubted.arrays()), ahead, doubted.arrays(),
-                triangle_operations, 9 * sizeof(T), rounds, [](const PeerSet&, std::vector<Contender>&) {});
+                batch_triangle_operations, 9 * sizeof(T), rounds, [](const PeerSet&, std::vector<Contender>&) {});
 }
 
 template <Real T>
@@ -212,8 +209,8 @@ void race_spheres(int rounds) {
     return {loop<Columns>("textbook, scalar loop", r, shapes,
                           [](const auto& q, const auto& s) { return textbook::naive::hits(q, s); })};
   };
-  race_tiers<T>("one ray against 4,096 random spheres", loops(rays, plain.arrays()), rays, plain.arrays(), sphere_operations,
-                4 * sizeof(T), rounds, [&](const PeerSet& peers, std::vector<Contender>& out) {
+  race_tiers<T>("one ray against 4,096 random spheres", loops(rays, plain.arrays()), rays, plain.arrays(),
+                batch_sphere_operations, 4 * sizeof(T), rounds, [&](const PeerSet& peers, std::vector<Contender>& out) {
                   Count<T, Arrays> roots, by_sign;
                   if constexpr (sizeof(T) == sizeof(float)) {
                     roots = peers.float_spheres, by_sign = peers.float_spheres_by_sign;
@@ -223,8 +220,8 @@ void race_spheres(int rounds) {
                   out.push_back(compiled(std::string("roots, ") + peers.name, rays, plain.arrays(), roots));
                   out.push_back(compiled(std::string("without roots, ") + peers.name, rays, plain.arrays(), by_sign));
                 });
-  race_tiers<T>("the same, one in ten touched", loops(ahead, doubted.arrays()), ahead, doubted.arrays(), sphere_operations,
-                4 * sizeof(T), rounds, [](const PeerSet&, std::vector<Contender>&) {});
+  race_tiers<T>("the same, one in ten touched", loops(ahead, doubted.arrays()), ahead, doubted.arrays(),
+                batch_sphere_operations, 4 * sizeof(T), rounds, [](const PeerSet&, std::vector<Contender>&) {});
 }
 
 }  // namespace

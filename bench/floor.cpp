@@ -13,10 +13,8 @@
 namespace graze::bench {
 namespace {
 
-/// What a decision takes in the filter, counted in predicates/*_filter.hpp and batch/*-inl.hpp: a multiply-add is two
-/// operations, comparisons, signs and bits none.
+/// What a decision takes in the filter, counted in predicates/*_filter.hpp as in batch_peers.hpp.
 constexpr double triangle_operations = 63, sphere_operations = 27;
-constexpr double batch_triangle_operations = 60, batch_sphere_operations = 19;
 /// All that fits into the second-level cache.
 constexpr std::size_t resident = 2048;
 

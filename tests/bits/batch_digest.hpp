@@ -130,18 +130,14 @@ class BatchStreamDigest {
   explicit BatchStreamDigest(BatchCall call) : call_(call) {}
 
   void add(const Case<T>& input) {
+    add_input(input, inputs_);
     cases_.push_back(input);
     if (const auto* sphere = std::get_if<RaySphere<T>>(&input)) spheres_.push_back(*sphere);
     if (const auto* triangle = std::get_if<RayTriangle<T>>(&input)) triangles_.push_back(*triangle);
   }
 
   [[nodiscard]] Digest digest() const {
-    Hash inputs;
-    for (const Case<T>& input : cases_) {
-      inputs.add(std::uint64_t{input.index()});
-      std::visit([&](const auto& query) { for_each_number(query, [&](const T& x) { inputs.add(x); }); }, input);
-    }
-    Digest digest{inputs.text(), answers(float_modes[0])};
+    Digest digest{inputs_.text(), answers(float_modes[0])};
     for (std::size_t i = 1; i < float_modes.size(); ++i) {
       if (answers(float_modes[i]) != digest.answers) digest.unlike_modes.append("; ").append(name_of(float_modes[i]));
     }
@@ -171,6 +167,7 @@ class BatchStreamDigest {
   }
 
   BatchCall call_;
+  Hash inputs_;
   std::vector<Case<T>> cases_;
   std::vector<RaySphere<T>> spheres_;
   std::vector<RayTriangle<T>> triangles_;

@@ -12,24 +12,6 @@
 namespace graze::fuzz {
 namespace {
 
-template <Real T>
-Digest digest_of(std::istream& cases, BatchCall call) {
-  BatchStreamDigest<T> stream(call);
-  for (std::uint64_t index = 0; index < cases_of_a_stream && cases; ++index) stream.add(read_case<T>(cases));
-  return stream.digest();
-}
-
-/// All streams; nothing where the file is cut short.
-Digests digests(const char* path, BatchCall call) {
-  std::ifstream cases(path, std::ios::binary);
-  Digests all;
-  for (std::string name; std::getline(cases, name);) {
-    all[name] = name.ends_with(" float") ? digest_of<float>(cases, call) : digest_of<double>(cases, call);
-    if (!cases) return {};
-  }
-  return all;
-}
-
 /// Calls f(name) for each instruction set, until it is false.
 template <class F>
 bool with_each_target(F f) {
@@ -64,7 +46,8 @@ int main(int argc, char** argv) {
   const bool is_same = with_each_target([&](const char* target) {
     for (const auto& [call, name] :
          {std::pair{BatchCall::pairs, "pairs"}, {BatchCall::one_ray, "one ray"}, {BatchCall::one_shape, "one shape"}}) {
-      const Digests ours = digests(argv[1], call);
+      std::ifstream cases(argv[1], std::ios::binary);
+      const Digests ours = replayed(cases, [call = call]<graze::Real T>() { return BatchStreamDigest<T>(call); });
       is_cut_short = ours.empty();
       if (is_cut_short) return false;
       const bool is_well_here = is_well(wanted, ours);

@@ -8,6 +8,7 @@
 
 #include "fuzz/case_numbers.hpp"
 #include "graze/numeric/bits.hpp"
+#include "tests/bits/digest.hpp"
 
 namespace graze::fuzz {
 
@@ -59,6 +60,25 @@ template <Real T>
       },
       input);
   return input;
+}
+
+/// The digest of one stream's cases, by a taker that is given each.
+template <Real T, class Taker>
+[[nodiscard]] Digest digest_of(std::istream& cases, Taker taker) {
+  for (std::uint64_t index = 0; index < cases_of_a_stream && cases; ++index) taker.add(read_case<T>(cases));
+  return taker.digest();
+}
+
+/// Of all streams, each by a new taker_of<T>(); nothing where the file is cut short.
+template <class TakerOf>
+[[nodiscard]] Digests replayed(std::istream& cases, TakerOf taker_of) {
+  Digests all;
+  for (std::string name; std::getline(cases, name);) {
+    all[name] = name.ends_with(" float") ? digest_of<float>(cases, taker_of.template operator()<float>())
+                                         : digest_of<double>(cases, taker_of.template operator()<double>());
+    if (!cases) return {};
+  }
+  return all;
 }
 
 }  // namespace graze::fuzz

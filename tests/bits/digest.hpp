@@ -58,6 +58,12 @@ struct Digest {
 using Digests = std::map<std::string, Digest>;
 
 template <Real T>
+void add_input(const Case<T>& input, Hash& hash) {
+  hash.add(std::uint64_t{input.index()});
+  std::visit([&](const auto& query) { for_each_number(query, [&](const T& x) { hash.add(x); }); }, input);
+}
+
+template <Real T>
 void add_answer(const Case<T>& input, FloatMode mode, Hash& hash) {
   const KernelAnswer<T> kernel = [&] {
     const FloatModeScope scope(mode);
@@ -72,8 +78,7 @@ class StreamDigest {
  public:
   template <Real T>
   void add(const Case<T>& input) {
-    inputs_.add(std::uint64_t{input.index()});
-    std::visit([&](const auto& query) { for_each_number(query, [&](const T& x) { inputs_.add(x); }); }, input);
+    add_input(input, inputs_);
     for (std::size_t i = 0; i < answers_.size(); ++i) add_answer(input, float_modes[i], answers_[i]);
   }
 

@@ -6,6 +6,13 @@ get_target_property(kernel_sources graze SOURCES)
 # The last one calls the kernel's inline functions.
 set(mutable_sources ${kernel_sources} ../fuzz/kernel_calls.cpp)
 
+# For mutants of what is compiled for AVX2 and FMA: whether this processor has them, and the flags.
+set(has_fma FALSE)
+if(EXISTS /proc/cpuinfo)
+  file(STRINGS /proc/cpuinfo has_fma REGEX "^flags.* fma .* avx2 " LIMIT_COUNT 1)
+endif()
+set(fma_options -mavx2 -mfma -mbmi -mbmi2 -mf16c)
+
 # graze_kernel_objects(NAME [OPTIONS flag...] INCLUDES dir... SOURCES file...): objects with the library's flags, but cheaper to build.
 # Not linked with graze::graze: nothing of the library itself may come in.
 function(graze_kernel_objects name)

@@ -182,16 +182,16 @@ graze_mutant(
 graze_mutant(
   face_error_forgotten
   MODELS "t, u and v of a face in double-double taken for exact"
-  FILE src/rounding/quotients.hpp
-  FIND [[bounds, relative, pair_quotient_error]]
-  REPLACE [[bounds, 0 * relative, 0]])
+  FILE src/rounding/face.cpp
+  FIND [[pair_relative, pair_quotient_error]]
+  REPLACE [[0 * pair_relative, 0]])
 
 graze_mutant(
   face_error_too_small
   MODELS "the bound of a face's numbers too small by 2^16"
-  FILE src/rounding/quotients.hpp
-  FIND [[bounds, relative, pair_quotient_error]]
-  REPLACE [[bounds, 0x1p-16 * relative, 0x1p-16 * pair_quotient_error]])
+  FILE src/rounding/face.cpp
+  FIND [[pair_relative, pair_quotient_error]]
+  REPLACE [[0x1p-16 * pair_relative, 0x1p-16 * pair_quotient_error]])
 
 graze_mutant(
   subnormal_exponent

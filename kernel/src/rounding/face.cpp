@@ -23,7 +23,7 @@ Quotients quotients(const Ray<double>& ray, const Triangle<double>& triangle, co
   const PairLanes n = normalised(sums(e2 * g, t * h, d * g, e1 * h));
   const PairLanes determinant{__builtin_shufflevector(n.hi, n.hi, 3, 3, 3, 3), __builtin_shufflevector(n.lo, n.lo, 3, 3, 3, 3)};
   const PairLanes q = n / determinant;
-  return with_pair_errors(q.hi, q.lo, determinant.hi[0], bounds_of(terms));
+  return with_errors(q.hi, q.lo, determinant.hi[0], bounds_of(terms), pair_relative, pair_quotient_error);
 }
 
 }  // namespace

@@ -43,12 +43,8 @@ struct Quotients {
           size > certainty * relative * bounds.error};
 }
 
-/// The same for quotients of determinants in double-double.
-[[nodiscard]] inline Quotients with_pair_errors(const Lanes& hi, const Lanes& lo, double determinant,
-                                                const FaceBounds& bounds) noexcept {
-  constexpr double relative = pair_determinant_error / (predicates::triangle_error * numeric::unit);
-  return with_errors(hi, lo, determinant, bounds, relative, pair_quotient_error);
-}
+/// `relative` for determinants in double-double.
+inline constexpr double pair_relative = pair_determinant_error / (predicates::triangle_error * numeric::unit);
 
 /// Whether t, u and v are rounded for certain, and then the hit.
 template <Real T>

@@ -47,16 +47,6 @@ struct BoxRay {
   int time_exponent = 0;                           ///< tau = t 2^time_exponent
   bool is_blind = false;                           ///< meets every box
 
-  [[nodiscard]] bool operator==(const BoxRay& other) const noexcept {
-    bool is_equal =
-        high == other.high && start == other.start && time_exponent == other.time_exponent && is_blind == other.is_blind;
-    for (int k = 0; k < 3; ++k) {
-      is_equal &= reciprocal[k] == other.reciprocal[k] && near_offset[k] == other.near_offset[k] &&
-                  far_offset[k] == other.far_offset[k] && near_row[k] == other.near_row[k] && far_row[k] == other.far_row[k];
-    }
-    return is_equal;
-  }
-
   static constexpr float slack = 0x1p-20f;
   /// Rays whose origin is no farther off in box space are followed from there: the floats lose little.
   static constexpr double near_by = 4;

@@ -161,8 +161,8 @@ HWY_INLINE bool round_face(const Ray<double>& ray, const TriangleBlock<double>& 
   const FourLanes q = hn::Div(n.hi, determinant.hi);
   const FourPairs p = product(q, determinant.hi);
   const FourLanes rest = hn::Add(hn::Sub(hn::Sub(n.hi, p.hi), p.lo), hn::Sub(n.lo, hn::Mul(q, determinant.lo)));
-  constexpr double relative = rounding::pair_determinant_error / (predicates::triangle_error * numeric::unit);
-  return round_lanes(q, hn::Div(rest, determinant.hi), determinant.hi, bounds, relative, rounding::pair_quotient_error, hit);
+  return round_lanes(q, hn::Div(rest, determinant.hi), determinant.hi, bounds, rounding::pair_relative,
+                     rounding::pair_quotient_error, hit);
 }
 
 HWY_INLINE FourLanes cross(FourLanes a, FourLanes b) {

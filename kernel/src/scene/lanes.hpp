@@ -20,7 +20,7 @@ namespace graze::scene {
 template <Real T>
 struct RayLanes {
   const Ray<T>& ray;
-  T direction_sum, t_min, t_max;
+  T direction_sum;
   T end = 0;  ///< where `has_end`, hits beyond this do not matter
   bool has_default_range, has_t_max, has_end = false;
   bool range_is_plain;      ///< whether the filter takes the ray's range
@@ -31,8 +31,6 @@ struct RayLanes {
       : ray(from),
         direction_sum(numeric::magnitude(ray.direction.x) + numeric::magnitude(ray.direction.y) +
                       numeric::magnitude(ray.direction.z)),
-        t_min(ray.t_min),
-        t_max(ray.t_max),
         has_default_range(numeric::is_default_range(ray)),
         has_t_max(numeric::is_finite(ray.t_max)),
         range_is_plain(has_default_range || numeric::is_ordinary_range<T>(ray)) {

@@ -42,7 +42,7 @@ struct Candidate {
   Shape shape = Shape::none;
   bool is_face = false;     ///< a triangle's, of which the filter is sure
   bool is_rough = false;    ///< only the filter in float has been asked: `t` is no better
-  bool is_integer = false;  ///< the determinants in `terms` are exact
+  bool is_integer = false;  ///< `whole` and `distance` are exact
   std::uint8_t lane = 0;
   std::uint32_t block = 0;
   std::uint32_t index = no_primitive;

@@ -88,11 +88,11 @@ HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& b
     auto is_above = hn::Gt(distance, distance_error);
     auto is_outside = hn::Lt(distance, hn::Neg(distance_error));
     if (!ray.has_default_range) {
-      const auto from = test_bound(d, ray.t_min, whole, distance, error, distance_error);
+      const auto from = test_bound(d, ray.ray.t_min, whole, distance, error, distance_error);
       is_above = from.above;
       is_outside = from.below;
       if (ray.has_t_max) {
-        const auto to = test_bound(d, ray.t_max, whole, distance, error, distance_error);
+        const auto to = test_bound(d, ray.ray.t_max, whole, distance, error, distance_error);
         is_above = hn::And(is_above, to.below);
         is_outside = hn::Or(is_outside, to.above);
       }
