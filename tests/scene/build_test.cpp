@@ -1,6 +1,8 @@
 // What a scene is built from, what it refuses, and what it says of itself.
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "graze/scene.hpp"
 #include "tests/catch.hpp"
@@ -39,6 +41,28 @@ TEST_CASE("An invalid part is refused by its place") {
     CHECK(status_of<T>({Spheres<T>{std::vector<Sphere<T>>{{{0, 0, 0}, -std::numeric_limits<T>::denorm_min()}}}}) ==
           BuildStatus{BuildError::negative_radius, 0, 0, 0});
     CHECK(status_of<T>({Spheres<T>{std::vector<Sphere<T>>{{{0, 0, 0}, -T(0)}}}}).ok());
+  });
+}
+
+TEST_CASE("Of many faults in a long part the first is told, however many threads look") {
+  in_both_formats([]<Real T>() {
+    constexpr std::uint32_t size = 100'000;
+    std::vector<Vec3<T>> points = square<T>();
+    points.push_back({0, -std::numeric_limits<T>::infinity(), 0});
+    points.push_back({0, 0, std::numeric_limits<T>::quiet_NaN()});
+    const auto status = [&](std::vector<std::pair<std::uint32_t, Corners>> faults) {
+      std::vector<Corners> triangles(size, Corners{0, 1, 2});
+      for (const auto& [at, corners] : faults) triangles[at] = corners;
+      return status_of<T>({Mesh<T>{points, std::move(triangles)}});
+    };
+    CHECK(status({}).ok());
+    CHECK(status({{99'999, {0, 1, 4}}, {70'000, {0, 6, 1}}}) == BuildStatus{BuildError::bad_index, 0, 70'000, 1});
+    CHECK(status({{99'999, {0, 6, 1}}, {70'000, {0, 1, 4}}}) == BuildStatus{BuildError::non_finite, 0, 70'000, 2});
+    // Both in one thread's share, and both in one triangle.
+    CHECK(status({{11, {0, 1, 6}}, {10, {5, 4, 1}}}) == BuildStatus{BuildError::non_finite, 0, 10, 0});
+    CHECK(status({{11, {4, 1, 0}}, {10, {0, 1, 6}}}) == BuildStatus{BuildError::bad_index, 0, 10, 2});
+    CHECK(status({{50'000, {0, 5, 6}}}) == BuildStatus{BuildError::non_finite, 0, 50'000, 1});
+    CHECK(status({{50'000, {0, 6, 5}}}) == BuildStatus{BuildError::bad_index, 0, 50'000, 1});
   });
 }
 

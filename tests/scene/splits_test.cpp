@@ -74,7 +74,7 @@ TEST_CASE("The boxes of a triangle's parts hold every point of it") {
       const std::vector<Vec3<T>> points = hairs<T>(random, 20);
       scene::Data<T> data;
       data.parts = {Mesh<T>{points, in_threes(points.size())}};
-      REQUIRE(scene::measure(data).ok());
+      REQUIRE(scene::measure(data, Threads::mine).ok());
       Pages<Reference> references = scene::references_of(data, Threads::mine);
       const std::size_t whole = references.size();
       scene::split(data, references);

@@ -110,14 +110,15 @@ void build(Data<T>& data, const BuildOptions& options) {
   Pages<Reference> references = references_of(data, threads);
   for (const Reference& r : references) data.root.include(r.box());
   if (options.spatial_splits) split(data, references);
-  std::unique_ptr<Branch> top = divide(references, data.root, threads);
+  Branches branches;
+  const Branch* const top = divide(references, data.root, threads, branches);
   Sizes sizes, written;
   count(*top, references, sizes);
   data.nodes.resize(sizes.nodes);
   std::vector<Leaf> leaves;
   leaves.reserve(sizes.triangles + sizes.spheres);
   write(*top, references, data, written, leaves);
-  top.reset();
+  branches = {};
   if (options.spatial_splits) {
     drop_repeats(leaves, references);
     data.listings = listings_of(leaves, references);

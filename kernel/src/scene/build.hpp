@@ -7,7 +7,7 @@ namespace graze::scene {
 
 /// Checks the parts, and then fills in the rest; where they fail all is left as it was. Throws std::bad_alloc.
 template <Real T>
-[[nodiscard]] BuildStatus measure(Content<T>& content);
+[[nodiscard]] BuildStatus measure(Content<T>& content, Threads threads);
 
 /// Builds the hierarchy of measured data. Throws std::bad_alloc.
 template <Real T>

@@ -6,35 +6,85 @@
 namespace graze::scene {
 namespace {
 
-constexpr int bins = 16;
+constexpr int most_bins = 16;
+/// Where primitives are few, fewer bins find splits no worse.
+constexpr std::size_t few = 32;
+constexpr int bins_for_few = 8;
+/// Greater ranges are divided by tasks of their own.
+constexpr std::size_t task = 4096;
 /// Below this depth ranges are halved by number: at most 31 levels more, within `deepest`.
 constexpr int deepest_by_area = 60;
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Of one axis.
 struct Bin {
   Hull hull;
-  std::size_t size = 0;
+  std::int32_t size = 0;
 
   void include(const Bin& other) noexcept {
     hull.include(other.hull);
     size += other.size;
   }
 };
-using Bins = std::array<std::array<Bin, bins>, 3>;
+using Bins = std::array<std::array<Bin, 3>, most_bins>;
 
 /// From centers to bins. Whatever the rounding, a bin is in [0, bins).
 struct Binning {
   Four low, scale;
+  int bins;
 
-  explicit Binning(const Hull& centers) noexcept : low(centers.low), scale{} {
+  Binning(const Hull& centers, std::size_t size) noexcept
+      : low(centers.low), scale{}, bins(size <= few ? bins_for_few : most_bins) {
     for (int k = 0; k < 3; ++k) {
       const float extent = centers.high[k] - centers.low[k];
-      scale[k] = extent > 0x1p-100f ? bins * 0.9999f / extent : 0;
+      scale[k] = extent > 0x1p-100f ? static_cast<float>(bins) * 0.9999f / extent : 0;
     }
   }
-  using Places = std::int32_t __attribute__((vector_size(16)));
-  [[nodiscard]] Places places(const Reference& r) const noexcept {
-    const Four last = Four{} + (bins - 1), x = (r.center() - low) * scale;
-    return __builtin_convertvector(lesser(x > 0 ? x : Four{}, last), Places);
+  [[nodiscard]] FourIntegers places(const Reference& r) const noexcept {
+    const Four first{}, last = first + static_cast<float>(bins - 1), x = (r.center() - low) * scale;
+    return __builtin_convertvector(lesser(last, greater(x, first)), FourIntegers);
+  }
+  /// One of these.
+  [[nodiscard]] int place(const Reference& r, int axis) const noexcept {
+    const float x = (r.low[axis] + r.high[axis] - low[axis]) * scale[axis];
+    return static_cast<int>(std::min(static_cast<float>(bins - 1), std::max(x, 0.0F)));
+  }
+};
+
+/// What some bins of each axis hold, the axes side by side.
+struct Columns {
+  std::array<Four, 3> low, high;
+  FourIntegers size{};
+
+  Columns() {
+    low.fill(Hull().low);
+    high.fill(Hull().high);
+  }
+  explicit Columns(const std::array<Bin, 3>& axes)
+      : low(transposed(axes[0].hull.low, axes[1].hull.low, axes[2].hull.low)),
+        high(transposed(axes[0].hull.high, axes[1].hull.high, axes[2].hull.high)),
+        size{axes[0].size, axes[1].size, axes[2].size, 0} {}
+
+  void include(const Columns& other) noexcept {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = lesser(other.low[k], low[k]);
+      high[k] = greater(other.high[k], high[k]);
+    }
+    size += other.size;
+  }
+  /// Half the surface, times the blocks, each of which is tested at once; infinite for nothing.
+  [[nodiscard]] Four cost() const noexcept {
+    const Four x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    const FourIntegers blocks = (size + (width - 1)) / width;
+    return size == 0 ? Four{} + infinity : (x * y + y * z + z * x) * __builtin_convertvector(blocks, Four);
+  }
+
+ private:
+  [[nodiscard]] static std::array<Four, 3> transposed(const Four& a, const Four& b, const Four& c) noexcept {
+    const Four low = __builtin_shufflevector(a, b, 0, 4, 1, 5), high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    return {__builtin_shufflevector(low, c, 0, 1, 4, 4), __builtin_shufflevector(low, c, 2, 3, 5, 5),
+            __builtin_shufflevector(high, c, 0, 1, 6, 6)};
   }
 };
 
@@ -44,23 +94,47 @@ struct Split {
   int bin = 0;    ///< the first of the second part
 };
 
+/// A range to be divided, and the hull of its centers.
+struct Piece {
+  Range range;
+  Hull centers;
+};
+
 class Builder {
  public:
   Builder(Pages<Reference>& references, Threads threads) : references_(references), threads_(threads) {}
 
-  [[nodiscard]] std::unique_ptr<Branch> branch(const Range& range) const {
-    auto out = std::make_unique<Branch>();
-    out->range = range;
+  [[nodiscard]] Piece whole(const Box& root) const {
+    const auto centers = [&](std::size_t begin, std::size_t end) {
+      Hull hull;
+      for (std::size_t i = begin; i < end; ++i) hull.include(references_[i].center(), references_[i].center());
+      return hull;
+    };
+    const std::size_t size = references_.size();
+    return {{0, size, root, 0}, summed<Hull>(size, threads_, centers, [](Hull& sum, const Hull& hull) { sum.include(hull); })};
+  }
+
+  [[nodiscard]] Branch* branch(const Piece& part, Branches& branches) const {
+    Branch* const out = branches.make();
+    const Range& range = out->range = part.range;
     if (is_leaf(range)) {
       out->cost.fill(area(range) * leaf_cost);
       return out;
     }
-    const auto halves = split(range);
-    for_ranges(2, range.size() > 4096 ? 1 : 2, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        (i == 0 ? out->one : out->other) = branch(i == 0 ? halves.first : halves.second);
-      }
-    });
+    const std::array<Piece, 2> halves = split(part);
+    if (range.size() <= task) {
+      out->one = branch(halves[0], branches);
+      out->other = branch(halves[1], branches);
+    } else {
+      std::array<Branches, 2> of_each;
+      std::array<Branch*, 2> each{};
+      for_ranges(2, 1, threads_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) each[i] = branch(halves[i], of_each[i]);
+      });
+      for (Branches& one : of_each) branches.adopt(std::move(one));
+      out->one = each[0];
+      out->other = each[1];
+    }
     weigh(*out);
     return out;
   }
@@ -75,7 +149,7 @@ class Builder {
   static void weigh(Branch& branch) noexcept {
     std::array<float, width + 1> parted{};
     for (int n = 2; n <= width; ++n) {
-      parted[n] = std::numeric_limits<float>::infinity();
+      parted[n] = infinity;
       for (int k = 1; k < n; ++k) {
         const float cost = branch.one->cost[k - 1] + branch.other->cost[n - k - 1];
         if (!(cost < parted[n])) continue;
@@ -99,118 +173,86 @@ class Builder {
     return true;
   }
 
-  [[nodiscard]] Range range(std::size_t begin, std::size_t end, int depth) const {
-    Range out{begin, end, Box::empty(), depth};
-    const auto hull = [&](std::size_t from, std::size_t to) {
-      Hull sum;
-      for (std::size_t i = from; i < to; ++i) sum.include(references_[i].low_corner(), references_[i].high_corner());
-      return sum;
-    };
-    out.box = summed<Hull>(out, hull, [](Hull& sum, const Hull& other) { sum.include(other); }).box();
-    return out;
-  }
-
-  [[nodiscard]] std::pair<Range, Range> halves(const Range& whole, std::size_t middle) const {
-    return {range(whole.begin, middle, whole.depth + 1), range(middle, whole.end, whole.depth + 1)};
-  }
-
   /// Neither part is empty.
-  [[nodiscard]] std::pair<Range, Range> split(const Range& whole) const {
-    const auto begin = references_.begin() + static_cast<std::ptrdiff_t>(whole.begin);
-    const auto end = references_.begin() + static_cast<std::ptrdiff_t>(whole.end);
-    if (whole.size() <= width) {
-      const auto middle = std::partition(begin, end, [](const Reference& r) { return r.is_sphere == 0; });
-      return halves(whole, static_cast<std::size_t>(middle - references_.begin()));
-    }
-    const Binning binning(centers(whole));
-    const Split best = best_split(whole, binning);
-    if (best.axis >= 0 && whole.depth < deepest_by_area) {
-      const auto middle =
-          std::partition(begin, end, [&](const Reference& r) { return binning.places(r)[best.axis] < best.bin; });
+  [[nodiscard]] std::array<Piece, 2> split(const Piece& whole) const {
+    const Range& range = whole.range;
+    if (range.size() <= width) return parted(range, [](const Reference& r) { return r.is_sphere == 0; });
+    const Binning binning(whole.centers, range.size());
+    const Split best = best_split(range, binning);
+    if (best.axis >= 0 && range.depth < deepest_by_area) {
       // The bins' own hulls would not do: another thread may have filled them in another rounding mode.
-      if (middle != begin && middle != end) return halves(whole, static_cast<std::size_t>(middle - references_.begin()));
+      const std::array<Piece, 2> halves =
+          parted(range, [&](const Reference& r) { return binning.place(r, best.axis) < best.bin; });
+      if (halves[0].range.size() != 0 && halves[1].range.size() != 0) return halves;
     }
-    return halves(whole, whole.begin + whole.size() / 2);
+    const std::size_t middle = range.begin + range.size() / 2;
+    return parted(range, [this, middle](const Reference& r) { return &r < &references_[middle]; });
   }
 
-  /// The sum of what `part(begin, end)` gives for parts of a range, on all cores where it is long. Sums are exact, so the same.
-  template <class Sum, class Part, class Add>
-  [[nodiscard]] Sum summed(const Range& whole, Part part, Add add) const {
-    constexpr std::size_t parts = 8, least = 1 << 16;
-    if (whole.size() < least) return part(whole.begin, whole.end);
-    std::array<Sum, parts> sums;
-    for_ranges(parts, 1, threads_, [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = from; i < to; ++i) {
-        sums[i] = part(whole.begin + whole.size() * i / parts, whole.begin + whole.size() * (i + 1) / parts);
-      }
-    });
-    for (std::size_t i = 1; i < parts; ++i) add(sums[0], sums[i]);
-    return sums[0];
+  /// Those of which it holds come first; without branches, for nobody knows of which.
+  template <class Holds>
+  [[nodiscard]] std::array<Piece, 2> parted(const Range& range, const Holds& holds) const {
+    std::array<Hull, 2> boxes, centers;
+    std::size_t middle = range.begin;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const Reference r = references_[i];
+      const bool is_first = holds(references_[i]);
+      references_[i] = references_[middle];
+      references_[middle] = r;
+      middle += is_first ? 1 : 0;
+      boxes[is_first ? 0 : 1].include(r.low_corner(), r.high_corner());
+      centers[is_first ? 0 : 1].include(r.center(), r.center());
+    }
+    return {Piece{{range.begin, middle, boxes[0].box(), range.depth + 1}, centers[0]},
+            Piece{{middle, range.end, boxes[1].box(), range.depth + 1}, centers[1]}};
   }
 
-  [[nodiscard]] Hull centers(const Range& whole) const {
-    return summed<Hull>(
-        whole,
-        [&](std::size_t begin, std::size_t end) {
-          Hull hull;
-          for (std::size_t i = begin; i < end; ++i) hull.include(references_[i].center(), references_[i].center());
-          return hull;
-        },
-        [](Hull& sum, const Hull& hull) { sum.include(hull); });
-  }
-
-  [[nodiscard]] Bins filled(const Range& whole, const Binning& binning) const {
-    return summed<Bins>(
-        whole,
-        [&](std::size_t begin, std::size_t end) {
-          Bins table;
-          for (std::size_t i = begin; i < end; ++i) {
-            const Four low = references_[i].low_corner(), high = references_[i].high_corner();
-            const Binning::Places places = binning.places(references_[i]);
-            for (int k = 0; k < 3; ++k) {
-              Bin& bin = table[k][places[k]];
-              bin.hull.include(low, high);
-              ++bin.size;
-            }
-          }
-          return table;
-        },
-        [](Bins& sum, const Bins& table) {
-          for (int k = 0; k < 3; ++k) {
-            for (int i = 0; i < bins; ++i) sum[k][i].include(table[k][i]);
-          }
-        });
-  }
-
-  [[nodiscard]] Split best_split(const Range& whole, const Binning& binning) const {
-    const Bins table = filled(whole, binning);
-    Split best;
-    float least = std::numeric_limits<float>::infinity();
-    for (int k = 0; k < 3; ++k) {
-      std::array<float, bins> cost{};
-      Bin sum;
-      for (int i = bins - 1; i > 0; --i) {
-        sum.include(table[k][i]);
-        cost[i] = sum.size == 0 ? -1 : sum.hull.box().half_area() * blocks(sum.size);
-      }
-      sum = {};
-      for (int i = 1; i < bins; ++i) {
-        sum.include(table[k][i - 1]);
-        if (sum.size == 0 || cost[i] < 0) continue;
-        const float total = cost[i] + sum.hull.box().half_area() * blocks(sum.size);
-        if (total < least) {
-          least = total;
-          best = {k, i};
+  [[nodiscard]] Bins filled(const Range& range, const Binning& binning) const {
+    const auto part = [&](std::size_t begin, std::size_t end) {
+      Bins table;
+      for (std::size_t i = range.begin + begin; i < range.begin + end; ++i) {
+        const Four low = references_[i].low_corner(), high = references_[i].high_corner();
+        const FourIntegers places = binning.places(references_[i]);
+        for (int k = 0; k < 3; ++k) {
+          Bin& bin = table[places[k]][k];
+          bin.hull.include(low, high);
+          ++bin.size;
         }
       }
-    }
-    return best;
+      return table;
+    };
+    return summed<Bins>(range.size(), threads_, part, [](Bins& sum, const Bins& table) {
+      for (int i = 0; i < most_bins; ++i) {
+        for (int k = 0; k < 3; ++k) sum[i][k].include(table[i][k]);
+      }
+    });
   }
 
-  /// What a part costs: a block is tested at once.
-  [[nodiscard]] static float blocks(std::size_t size) noexcept {
-    const std::size_t whole = (size + width - 1) / width;
-    return static_cast<float>(whole);
+  [[nodiscard]] Split best_split(const Range& range, const Binning& binning) const {
+    const Bins table = filled(range, binning);
+    std::array<Columns, most_bins> columns;
+    for (int i = 0; i < binning.bins; ++i) columns[i] = Columns(table[i]);
+    std::array<Four, most_bins> cost;
+    Columns sum;
+    for (int i = binning.bins - 1; i > 0; --i) {
+      sum.include(columns[i]);
+      cost[i] = sum.cost();
+    }
+    sum = {};
+    Four least = Four{} + infinity;
+    FourIntegers at{};
+    for (int i = 1; i < binning.bins; ++i) {
+      sum.include(columns[i - 1]);
+      const Four total = cost[i] + sum.cost();
+      const FourIntegers is_less = total < least;
+      least = is_less ? total : least;
+      at = is_less ? FourIntegers{} + i : at;
+    }
+    Split best;
+    for (int k = 0; k < 3; ++k) {
+      if (least[k] < (best.axis < 0 ? infinity : least[best.axis])) best = {k, at[k]};
+    }
+    return best;
   }
 
   Pages<Reference>& references_;
@@ -239,8 +281,9 @@ void Children::take(const Branch& branch, int most) noexcept {
   }
 }
 
-std::unique_ptr<Branch> divide(Pages<Reference>& references, const Box& root, Threads threads) {
-  return Builder(references, threads).branch({0, references.size(), root, 0});
+const Branch* divide(Pages<Reference>& references, const Box& root, Threads threads, Branches& branches) {
+  const Builder builder(references, threads);
+  return builder.branch(builder.whole(root), branches);
 }
 
 }  // namespace graze::scene

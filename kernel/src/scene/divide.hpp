@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <iterator>
 #include <memory>
+#include <vector>
 
 #include "scene/references.hpp"
 
@@ -22,13 +24,37 @@ struct Range {
 /// node or as several.
 struct Branch {
   Range range;
-  std::unique_ptr<Branch> one, other;  ///< null for a leaf
+  Branch *one = nullptr, *other = nullptr;  ///< null for a leaf
   /// cost[i - 1] as at most i children; of these share[i] are the first half's, 0 where fewer children are no worse. Of eight
   /// there is no cost: they have a node of their own.
   std::array<float, width - 1> cost;
   std::array<std::uint8_t, width + 1> share{};
 
   [[nodiscard]] bool is_leaf() const noexcept { return one == nullptr; }
+};
+
+/// Where branches live: each in one place to its end, many at once allocated and freed.
+class Branches {
+ public:
+  [[nodiscard]] Branch* make() {
+    if (chunks_.empty() || used_ == chunk) {
+      chunks_.push_back(std::make_unique<std::array<Branch, chunk>>());
+      used_ = 0;
+    }
+    return &(*chunks_.back())[used_++];
+  }
+  /// Takes over another's branches.
+  void adopt(Branches&& other) {
+    if (chunks_.empty()) used_ = other.used_;
+    // The last is the one that is being filled.
+    chunks_.insert(chunks_.begin(), std::make_move_iterator(other.chunks_.begin()),
+                   std::make_move_iterator(other.chunks_.end()));
+  }
+
+ private:
+  static constexpr std::size_t chunk = 128;
+  std::vector<std::unique_ptr<std::array<Branch, chunk>>> chunks_;
+  std::size_t used_ = 0;
 };
 
 /// The children of a branch's node.
@@ -43,6 +69,6 @@ struct Children {
 };
 
 /// Sorts the references so that each leaf's are a range; `root` holds all. Throws std::bad_alloc.
-[[nodiscard]] std::unique_ptr<Branch> divide(Pages<Reference>& references, const Box& root, Threads threads);
+[[nodiscard]] const Branch* divide(Pages<Reference>& references, const Box& root, Threads threads, Branches& branches);
 
 }  // namespace graze::scene

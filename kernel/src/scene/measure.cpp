@@ -1,38 +1,96 @@
 // The parts' validity, the scene's bounds and its box space.
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
+#include <cstdlib>
+#include <limits>
 
 #include "scene/build.hpp"
 #include "scene/lanes.hpp"
+#include "scene/parallel.hpp"
 
 namespace graze::scene {
 namespace {
 
 constexpr std::uint32_t most_primitives = std::uint32_t(1) << 30;
 
+/// A box by integers in its coordinates' order, for which subnormal numbers count; of nothing, high is below low.
 template <Real T>
-BuildStatus check(const Mesh<T>& mesh, std::uint32_t part) noexcept {
-  const std::span<const Vec3<T>> points = mesh.points.get();
-  const std::span<const Corners> triangles = mesh.triangles.get();
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::uint32_t point = triangles[i][c];
-      if (point >= points.size()) return {BuildError::bad_index, part, i, c};
-      if (!numeric::is_finite(points[point])) return {BuildError::non_finite, part, i, c};
+struct Keys {
+  using Point = std::array<std::int64_t, 3>;
+  static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  Point low{none, none, none}, high{-none, -none, -none};
+
+  static Point of(const Vec3<T>& p) noexcept {
+    return {numeric::order_key(p.x), numeric::order_key(p.y), numeric::order_key(p.z)};
+  }
+  void include(const Point& from, const Point& to) noexcept {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], from[k]);
+      high[k] = std::max(high[k], to[k]);
     }
   }
-  return {};
+  void include(const Keys& other) noexcept { include(other.low, other.high); }
+
+  [[nodiscard]] bool is_empty() const noexcept { return high[0] < low[0]; }
+  /// Infinities and NaN lie beyond all numbers.
+  [[nodiscard]] bool is_finite() const noexcept {
+    const auto is_in = [](std::int64_t key) { return std::abs(key) < numeric::order_key(std::numeric_limits<T>::infinity()); };
+    return is_empty() || (std::ranges::all_of(low, is_in) && std::ranges::all_of(high, is_in));
+  }
+  [[nodiscard]] Bounds<T> bounds() const noexcept { return {point(low), point(high)}; }
+
+ private:
+  static Vec3<T> point(const Point& keys) noexcept { return {number(keys[0]), number(keys[1]), number(keys[2])}; }
+  static T number(std::int64_t key) noexcept {
+    const T size = std::bit_cast<T>(static_cast<numeric::Bits<T>>(std::abs(key)));
+    return key < 0 ? -size : size;
+  }
+};
+
+/// What is wrong first with a part's elements, if anything is; if not, their bounds.
+template <Real T>
+struct Survey {
+  BuildStatus status;
+  Keys<T> keys;
+
+  /// Another of elements that come later.
+  void include(const Survey& later) noexcept {
+    if (status.ok()) status = later.status;
+    keys.include(later.keys);
+  }
+};
+
+template <Real T>
+BuildStatus non_finite(const Mesh<T>& mesh, std::size_t from) noexcept {
+  const std::span<const Vec3<T>> points = mesh.points.get();
+  const std::span<const Corners> triangles = mesh.triangles.get();
+  for (std::size_t i = from;; ++i) {
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      if (!numeric::is_finite(points[triangles[i][c]])) return {BuildError::non_finite, 0, static_cast<std::uint32_t>(i), c};
+    }
+  }
 }
 
 template <Real T>
-BuildStatus check(const Spheres<T>& spheres, std::uint32_t part) noexcept {
-  const std::span<const Sphere<T>> all = spheres.spheres.get();
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    if (!numeric::is_finite(all[i].center) || !numeric::is_finite(all[i].radius)) return {BuildError::non_finite, part, i, 0};
-    if (numeric::is_negative(all[i].radius)) return {BuildError::negative_radius, part, i, 0};
+Survey<T> survey(const Mesh<T>& mesh, std::size_t begin, std::size_t end) noexcept {
+  const std::span<const Vec3<T>> points = mesh.points.get();
+  const std::span<const Corners> triangles = mesh.triangles.get();
+  Survey<T> out;
+  for (std::size_t i = begin; i < end && out.status.ok(); ++i) {
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const std::uint32_t point = triangles[i][c];
+      if (point >= points.size()) {
+        out.status = {BuildError::bad_index, 0, static_cast<std::uint32_t>(i), c};
+        break;
+      }
+      const auto key = Keys<T>::of(points[point]);
+      out.keys.include(key, key);
+    }
   }
-  return {};
+  // What is in the keys comes before a bad index.
+  if (!out.keys.is_finite()) out.status = non_finite(mesh, begin);
+  return out;
 }
 
 /// x - r and x + r rounded outward, in every mode: one operation errs by less than a unit, or by less than the least normal
@@ -47,41 +105,25 @@ T outward(T x, T r, int direction) noexcept {
   return std::bit_cast<T>(static_cast<numeric::Bits<T>>(numeric::bits_of(sum) + (grows ? 1 : -1)));
 }
 
-/// Ordered as integers, for which subnormal numbers count.
 template <Real T>
-void include(Bounds<T>& bounds, const Vec3<T>& low, const Vec3<T>& high) noexcept {
-  const auto lower = [](T& to, T x) {
-    if (numeric::order_key(x) < numeric::order_key(to)) to = x;
-  };
-  const auto raise = [](T& to, T x) {
-    if (numeric::order_key(x) > numeric::order_key(to)) to = x;
-  };
-  lower(bounds.low.x, low.x);
-  lower(bounds.low.y, low.y);
-  lower(bounds.low.z, low.z);
-  raise(bounds.high.x, high.x);
-  raise(bounds.high.y, high.y);
-  raise(bounds.high.z, high.z);
-}
-
-template <Real T>
-Bounds<T> bounds_of(const Content<T>& content) noexcept {
-  constexpr T infinity = std::numeric_limits<T>::infinity();
-  Bounds<T> bounds{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  for (const Part<T>& part : content.parts) {
-    if (const auto* mesh = std::get_if<Mesh<T>>(&part)) {
-      const std::span<const Vec3<T>> points = mesh->points.get();
-      for (const Corners& corners : mesh->triangles.get()) {
-        for (const std::uint32_t c : corners) include(bounds, points[c], points[c]);
-      }
-    } else {
-      for (const auto& [c, r] : std::get<Spheres<T>>(part).spheres.get()) {
-        include(bounds, {outward(c.x, r, -1), outward(c.y, r, -1), outward(c.z, r, -1)},
-                {outward(c.x, r, 1), outward(c.y, r, 1), outward(c.z, r, 1)});
-      }
+Survey<T> survey(const Spheres<T>& spheres, std::size_t begin, std::size_t end) noexcept {
+  const std::span<const Sphere<T>> all = spheres.spheres.get();
+  Survey<T> out;
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto& [c, r] = all[i];
+    const auto element = static_cast<std::uint32_t>(i);
+    if (!numeric::is_finite(c) || !numeric::is_finite(r)) {
+      out.status = {BuildError::non_finite, 0, element, 0};
+      return out;
     }
+    if (numeric::is_negative(r)) {
+      out.status = {BuildError::negative_radius, 0, element, 0};
+      return out;
+    }
+    out.keys.include(Keys<T>::of({outward(c.x, r, -1), outward(c.y, r, -1), outward(c.z, r, -1)}),
+                     Keys<T>::of({outward(c.x, r, 1), outward(c.y, r, 1), outward(c.z, r, 1)}));
   }
-  return bounds;
+  return out;
 }
 
 /// The median of up to 1,001 primitives' first corners or centers: a few shapes far away do not move it.
@@ -108,9 +150,10 @@ std::array<double, 3> middle(const Content<T>& content) {
   return out;
 }
 
-/// All coordinates, and centers plus radii, come to at most 1 in magnitude, nearly: scale 2^900 at most.
+/// All coordinates, and centers plus radii, come to at most 1 in magnitude, nearly: scale 2^900 at most. `corners` are the
+/// triangles': of their coordinates the least or the greatest is farthest off, in every mode, for rounding keeps their order.
 template <Real T>
-Space space_of(const Content<T>& content) {
+Space space_of(const Content<T>& content, const Keys<T>& corners) {
   Space space;
   const std::array<double, 3> origin = middle(content);
   for (int k = 0; k < 3; ++k) space.quarter_origin[k] = 0.25 * origin[k];
@@ -122,15 +165,15 @@ Space space_of(const Content<T>& content) {
       largest = size > largest ? size : largest;
     }
   };
+  if (!corners.is_empty()) {
+    const Bounds<T> bounds = corners.bounds();
+    include(bounds.low, T(0));
+    include(bounds.high, T(0));
+  }
   for (const Part<T>& part : content.parts) {
-    if (const auto* mesh = std::get_if<Mesh<T>>(&part)) {
-      const std::span<const Vec3<T>> points = mesh->points.get();
-      for (const Corners& corners : mesh->triangles.get()) {
-        for (const std::uint32_t c : corners) include(points[c], T(0));
-      }
-    } else {
-      for (const auto& [center, radius] : std::get<Spheres<T>>(part).spheres.get()) include(center, radius);
-    }
+    const auto* spheres = std::get_if<Spheres<T>>(&part);
+    if (spheres == nullptr) continue;
+    for (const auto& [center, radius] : spheres->spheres.get()) include(center, radius);
   }
   // Quarters of at most 2^1023, so the exponent of the scale is at least -1024 + 2.
   const int exponent = std::clamp(-exponent_of(largest) - 1, -1022, 900);
@@ -158,24 +201,37 @@ numeric::Extent extent_of(const Content<T>& content) noexcept {
 }  // namespace
 
 template <Real T>
-BuildStatus measure(Content<T>& content) {
+BuildStatus measure(Content<T>& content, Threads threads) {
   std::vector<std::uint32_t> first{0};
   std::uint64_t total = 0;
+  Keys<T> all, corners;
   for (std::uint32_t i = 0; i < content.parts.size(); ++i) {
-    total += size_of(content.parts[i]);
+    const Part<T>& part = content.parts[i];
+    total += size_of(part);
     if (total > most_primitives) return {BuildError::too_many, i, 0, 0};
-    const BuildStatus status = std::visit([&](const auto& part) { return check(part, i); }, content.parts[i]);
-    if (!status.ok()) return status;
+    const auto of_range = [&](std::size_t begin, std::size_t end) {
+      return std::visit([&](const auto& elements) { return survey(elements, begin, end); }, part);
+    };
+    // Spheres' bounds are rounded: all in the caller's mode.
+    const bool is_mesh = std::holds_alternative<Mesh<T>>(part);
+    Survey<T> one = summed<Survey<T>>(size_of(part), is_mesh ? threads : Threads::mine, of_range,
+                                      [](auto& sum, const auto& later) { sum.include(later); });
+    if (!one.status.ok()) {
+      one.status.part = i;
+      return one.status;
+    }
+    all.include(one.keys);
+    if (is_mesh) corners.include(one.keys);
     first.push_back(static_cast<std::uint32_t>(total));
   }
   content.first = std::move(first);
-  content.bounds = total == 0 ? Bounds<T>{} : bounds_of(content);
+  content.bounds = total == 0 ? Bounds<T>{} : all.bounds();
   content.extent = extent_of(content);
-  content.space = total == 0 ? Space{} : space_of(content);
+  content.space = total == 0 ? Space{} : space_of(content, corners);
   return {};
 }
 
-template BuildStatus measure(Content<float>&);
-template BuildStatus measure(Content<double>&);
+template BuildStatus measure(Content<float>&, Threads);
+template BuildStatus measure(Content<double>&, Threads);
 
 }  // namespace graze::scene

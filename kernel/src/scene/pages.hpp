@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <new>
+#include <utility>
 #include <vector>
 
 #if defined(__linux__)
@@ -30,6 +31,14 @@ struct PageAllocator {
   }
   void deallocate(Element* memory, std::size_t n) noexcept {
     ::operator delete(memory, alignment(n));
+  }
+  /// What `resize` adds is left as it is found, for threads to write side by side, each the first to touch its pages.
+  void construct(Element* at) noexcept {
+    ::new (static_cast<void*>(at)) Element;
+  }
+  template <class... Values>
+  void construct(Element* at, Values&&... values) {
+    ::new (static_cast<void*>(at)) Element(std::forward<Values>(values)...);
   }
   bool operator==(const PageAllocator&) const = default;
 

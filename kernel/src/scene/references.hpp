@@ -11,6 +11,7 @@ namespace graze::scene {
 
 /// Three floats and one more that is not looked at.
 using Four = float __attribute__((vector_size(16)));
+using FourIntegers = std::int32_t __attribute__((vector_size(16)));
 
 [[nodiscard]] inline Four lesser(const Four& a, const Four& b) noexcept {
   return a < b ? a : b;

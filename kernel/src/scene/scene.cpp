@@ -21,7 +21,7 @@ BuildStatus Scene<T>::build(std::vector<Part<T>> parts, const BuildOptions& opti
   try {
     auto data = std::make_unique<scene::Data<T>>();
     data->parts = std::move(parts);
-    BuildStatus status = scene::measure(*data);
+    BuildStatus status = scene::measure(*data, options.threads);
     if (status.ok() && options.is_closed) status = scene::check_closed(*data);
     if (!status.ok()) return status;
     data->is_closed = options.is_closed;
@@ -44,7 +44,7 @@ BuildStatus replace(scene::Data<T>& data, Elements& held, Elements& fresh) {
   const scene::Space space = data.space;
   BuildStatus status;
   try {
-    status = scene::measure(data);
+    status = scene::measure(data, Threads::mine);
     // Corners may have come apart that were the same point.
     if (status.ok() && data.is_closed) status = scene::check_closed(data);
   } catch (const std::bad_alloc&) {
