@@ -55,12 +55,12 @@ BoxRay target_box_ray(const Space& space, const Box& root, const Ray<T>& ray) {
 template <Real T>
 bool has_same_box_ray(const Space& space, const Box& root, const Ray<T>& ray) {
   const BoxRay one = target_box_ray(space, root, ray), other = scene::box_ray(space, root, ray);
-  bool is_same = one.high == other.high && one.start == other.start && one.time_exponent == other.time_exponent &&
+  bool is_same = one.high == other.high && one.reach == other.reach && one.reach_offset == other.reach_offset &&
                  one.is_blind == other.is_blind;
   for (int k = 0; k < 3; ++k) {
-    is_same &= one.reciprocal[k] == other.reciprocal[k] && one.near_offset[k] == other.near_offset[k] &&
-               one.far_offset[k] == other.far_offset[k] && one.near_row[k] == other.near_row[k] &&
-               one.far_row[k] == other.far_row[k];
+    is_same &= one.reciprocal[k] == other.reciprocal[k] && one.far_reciprocal[k] == other.far_reciprocal[k] &&
+               one.near_offset[k] == other.near_offset[k] && one.far_offset[k] == other.far_offset[k] &&
+               one.near_row[k] == other.near_row[k] && one.far_row[k] == other.far_row[k];
   }
   return is_same;
 }

@@ -8,7 +8,7 @@
 
 namespace graze::test {
 
-/// While it lives, targets are chosen by hand.
+/// While it lives, targets are chosen by hand, for scenes that are made after.
 class EachTarget {
  public:
   EachTarget() {

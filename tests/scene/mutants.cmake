@@ -90,17 +90,25 @@ graze_scene_mutant(
   BY campaign
   MODELS "the offsets of the box test not widened by what they err"
   FILE src/scene/box_ray.hpp
-  FIND [[double g = 0x1p-21 * __builtin_fabs(f[k]) + error]]
-  REPLACE [[double g = 0]])
+  FIND [[float g = 0x1p-20f * __builtin_fabsf(f[k]) + error[k];]]
+  REPLACE [[float g = 0;]])
 
 graze_scene_mutant(
   box_offset_on_lanes
   BY campaign
   MODELS "the same where a ray's axes are in lanes"
   FILE src/scene/box_ray-inl.hpp
-  FIND [[V g = hn::Add(hn::Mul(set(0x1p-21), hn::Abs(f)), error), nearly_r = r;]]
-  REPLACE [[V g = hn::Mul(set(0), error), nearly_r = r;]]
+  FIND [[auto g = hn::Add(hn::Mul(set_float(0x1p-20f), hn::Abs(f)), error),]]
+  REPLACE [[auto g = hn::Mul(set_float(0), error),]]
   FMA)
+
+graze_scene_mutant(
+  box_left_too_early
+  BY campaign
+  MODELS "the planes of a box that are met last, met earlier by 2^-16 of the way"
+  FILE src/scene/box_ray.hpp
+  FIND [[static constexpr float slack = 0x1p-19f;]]
+  REPLACE [[static constexpr float slack = -0x1p-16f;]])
 
 graze_scene_mutant(
   tie_later_index
@@ -139,8 +147,8 @@ graze_scene_mutant(
   BY campaign
   MODELS "the enclosure of a triangle's t without the determinant's error"
   FILE src/scene/enclose.hpp
-  FIND [[(distance_error + size * whole_error)]]
-  REPLACE [[(0x1p-30 * distance_error)]])
+  FIND [[distance + distance_error;]]
+  REPLACE [[distance + 0x1p-30 * distance_error;]])
 
 graze_scene_mutant(
   parity_skips_corner
@@ -184,7 +192,7 @@ graze_scene_mutant(
   face_bounds_forgotten
   BY campaign
   MODELS "a face's numbers on lanes taken for exact"
-  FILE src/scene/visitors-inl.hpp
+  FILE src/scene/hit_visitor-inl.hpp
   FIND [[found.bounds = {share * error, share * distance_error, is_front};]]
   REPLACE [[found.bounds = {0 * share * error, 0 * share * distance_error, is_front};]]
   FMA)

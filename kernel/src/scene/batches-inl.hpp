@@ -29,7 +29,7 @@ class Batch {
   };
 
   /// Makes the visitor of ray i; false where it needs none.
-  HWY_INLINE bool start(void* at, std::size_t i) {
+  HWY_NOINLINE HWY_FLATTEN bool start(void* at, std::size_t i) {
     const Ray<T>& ray = rays_[i];
     const auto [is_plain, status] = admit(ray);
     if (HWY_UNLIKELY(status != Status::ok)) {

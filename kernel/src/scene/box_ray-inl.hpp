@@ -40,8 +40,8 @@ HWY_INLINE bool is_plain(const Ray<T>& ray) {
 
 /// Rays with a range of their own, or none that is plain; not inlined, for they would cost the others registers.
 template <Real T>
-HWY_NOINLINE HWY_FLATTEN double first_tau(const BoxRay& out, const Ray<T>& ray) {
-  return out.first_tau(ray);
+HWY_NOINLINE HWY_FLATTEN double first_tau_of(const Ray<T>& ray, int exponent) {
+  return first_tau(ray, exponent);
 }
 template <Real T>
 HWY_NOINLINE HWY_FLATTEN void end_with(BoxRay& out, const Ray<T>& ray) {
@@ -54,68 +54,96 @@ HWY_NOINLINE HWY_FLATTEN void to_any_box_ray(const Space& space, const Box& root
 
 #if HWY_MAX_BYTES >= 32
 
+using FourFloats = hn::CappedTag<float, 4>;
+
+/// Of a direction with its longest component, in all lanes: 1 / D and x of box_ray.hpp, and where they are as told there.
+struct Slopes {
+  hn::Vec<FourFloats> reciprocal;
+  int exponent;
+  bool is_ordinary;
+};
+HWY_INLINE Slopes slopes_of(hn::Vec<hn::CappedTag<double, 4>> given) {
+  const hn::CappedTag<double, 4> d;
+  const hn::RebindToSigned<decltype(d)> bits;
+  const auto longest = hn::MaxOfLanes(d, hn::Abs(given));
+  const double length = hn::GetLane(longest);
+  const auto power = hn::And(longest, hn::BitCast(d, hn::Set(bits, numeric::infinity_bits<double>)));
+  // The division need not wait for the power of two.
+  return {hn::DemoteTo(FourFloats(), hn::Mul(hn::Div(hn::Set(d, 1), given), power)), exponent_of(length),
+          length >= 0x1p-900 && length <= 0x1p900};
+}
+/// The same numbers, as a quotient rounded to double and then to float is as if rounded once: no component is subnormal, so
+/// those that are not steep are normal; the steep ones may overflow, as in the conversion.
+HWY_INLINE Slopes slopes_of(hn::Vec<FourFloats> given) {
+  const FourFloats f;
+  const hn::RebindToSigned<FourFloats> bits;
+  const auto longest = hn::MaxOfLanes(f, hn::Abs(given));
+  const float length = hn::GetLane(longest);
+  const auto power = hn::And(longest, hn::BitCast(f, hn::Set(bits, numeric::infinity_bits<float>)));
+  return {hn::Mul(hn::Div(hn::Set(f, 1), given), power), static_cast<int>(numeric::magnitude_bits(length) >> 23) - 127,
+          length >= 0x1p-100f && length <= 0x1p100f};
+}
+
 /// As box_ray, step by step, so with the same bits, of a plain ray, to `out`: what is returned would be copied, and have to
 /// wait for what was written by parts.
 template <Real T>
 HWY_INLINE void to_box_ray(const Space& space, const Box& root, const Ray<T>& ray, BoxRay& out) {
   const hn::CappedTag<double, 4> d;
-  const hn::Rebind<float, decltype(d)> narrow;
-  const hn::RebindToSigned<decltype(d)> integers;
-  const hn::RebindToSigned<decltype(narrow)> rows;
+  const FourFloats narrow;
+  const hn::RebindToSigned<FourFloats> rows;
   using V = hn::Vec<decltype(d)>;
   const auto set = [d](double x) HWY_ATTR { return hn::Set(d, x); };
+  const auto set_float = [narrow](float x) HWY_ATTR { return hn::Set(narrow, x); };
   // Three numbers and what follows them, which is zero from then on.
-  const auto axes = hn::FirstN(d, 3);
   const T* const numbers = reinterpret_cast<const T*>(&ray);
+  const hn::CappedTag<T, 4> own;
+  const auto given = hn::IfThenElseZero(hn::FirstN(own, 3), hn::LoadU(own, numbers + 3));
+  const Slopes slopes = slopes_of(given);
   const V place = hn::Sub(hn::Mul(set(0.25), load_as_double(d, numbers)), hn::LoadU(d, space.quarter_origin));
-  const V e = hn::IfThenElseZero(axes, hn::Mul(place, set(space.scale)));
-  const V given = hn::IfThenElseZero(axes, load_as_double(d, numbers + 3));
-  const V longest = hn::MaxOfLanes(d, hn::Abs(given));
-  const double far = hn::GetLane(hn::MaxOfLanes(d, hn::Abs(e))), length = hn::GetLane(longest);
-  if (HWY_UNLIKELY(!((far <= 0x1p40) & (length >= 0x1p-900) & (length <= 0x1p900)))) {
+  const V e = hn::Mul(place, set(space.scale));
+  auto f = hn::IfThenElseZero(hn::FirstN(narrow, 3), hn::DemoteTo(narrow, e)), error = set_float(BoxRay::least_error);
+  const float far = hn::GetLane(hn::MaxOfLanes(narrow, hn::Abs(f)));
+  if (HWY_UNLIKELY(!((far <= 0x1p40f) & slopes.is_ordinary))) {
     to_any_box_ray(space, root, ray, out);
     return;
   }
-  const auto exponent = hn::ShiftRight<52>(hn::BitCast(integers, longest));
-  const V scale = hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(hn::Set(integers, 2046), exponent)));
-  const V inverse_scale = hn::BitCast(d, hn::ShiftLeft<52>(exponent));
-  // The division need not wait for the scale, a power of two.
-  const V direction = hn::Mul(given, scale), r = hn::Mul(hn::Div(set(1), given), inverse_scale);
-  out.time_exponent = static_cast<int>(hn::GetLane(exponent)) - 1023 + space.exponent;
-
-  const double first = HWY_LIKELY(numeric::magnitude_bits(ray.t_min) == 0) ? 0 : first_tau(out, ray);
-  V start = set(first);
-  if ((far > BoxRay::near_by) | (first != 0)) {
+  const int time_exponent = slopes.exponent + space.exponent;
+  double start = HWY_LIKELY(numeric::magnitude_bits(ray.t_min) == 0) ? 0 : first_tau_of(ray, time_exponent);
+  if ((far > BoxRay::near_by) | (start != 0)) {
     static_assert(sizeof(Box) == 6 * sizeof(float));
+    const V direction = hn::Mul(load_as_double(d, numbers + 3), set(power_of_two(-slopes.exponent))),
+            r = hn::Div(set(1), direction);
     const V low = load_as_double(d, root.low), high = hn::PromoteTo(d, hn::Shuffle0321(hn::LoadU(narrow, root.low + 2)));
     const V plane = hn::IfThenElse(hn::Gt(direction, hn::Zero(d)), low, high);
     const V margin = hn::Mul(hn::Mul(set(0x1p-45), hn::Add(set(1), hn::Abs(e))), hn::Abs(r));
-    const V entry = hn::Sub(hn::Mul(hn::Sub(plane, e), r), margin);
-    const auto counts = hn::Ge(hn::Abs(direction), set(0x1p-30));
-    start = hn::MaxOfLanes(d, hn::IfThenElse(counts, hn::Max(start, hn::Min(entry, set(0x1p60))), start));
+    const V entry = hn::Sub(hn::Mul(hn::Sub(plane, e), r), margin), first = set(start);
+    const auto counts = hn::And(hn::FirstN(d, 3), hn::Ge(hn::Abs(direction), set(0x1p-30)));
+    const V from = hn::MaxOfLanes(d, hn::IfThenElse(counts, hn::Max(first, hn::Min(entry, set(0x1p60))), first));
+    start = hn::GetLane(from);
+    const V moved = hn::Mul(from, direction);
+    f = hn::IfThenElseZero(hn::FirstN(narrow, 3), hn::DemoteTo(narrow, hn::Add(e, moved)));
+    error = hn::DemoteTo(
+        narrow, hn::Add(hn::Mul(set(0x1p-49), hn::Add(hn::Abs(e), hn::Abs(moved))), set(BoxRay::least_error_at(start))));
   }
-  out.start = hn::GetLane(start);
-
-  const V moved = hn::Mul(start, direction), f = hn::Add(e, moved);
-  const V error = hn::Add(hn::Mul(set(0x1p-49), hn::Add(hn::Abs(e), hn::Abs(moved))), set(BoxRay::least_error(out.start)));
-  V g = hn::Add(hn::Mul(set(0x1p-21), hn::Abs(f)), error), nearly_r = r;
-  const auto is_flat = hn::Lt(hn::Abs(direction), set(0x1p-60));
-  if (HWY_UNLIKELY((bits_of_mask(d, is_flat) & 7) != 0)) {
-    const V largest = hn::MaxOfLanes(d, hn::Abs(f));
-    g = hn::IfThenElse(is_flat, hn::Add(g, hn::Mul(set(0x1p-58), hn::Add(set(1), largest))), g);
-    nearly_r = hn::IfThenElse(is_flat, hn::CopySign(set(0x1p60), direction), r);
+  auto g = hn::Add(hn::Mul(set_float(0x1p-20f), hn::Abs(f)), error), reciprocal = slopes.reciprocal;
+  const auto is_steep = hn::Gt(hn::Abs(reciprocal), set_float(BoxRay::steepest));
+  if (HWY_UNLIKELY((bits_of_mask(narrow, is_steep) & 7) != 0)) {
+    const auto largest = hn::MaxOfLanes(narrow, hn::Abs(f));
+    g = hn::IfThenElse(is_steep, hn::Add(g, hn::Mul(set_float(0x1p-58f), hn::Add(set_float(1), largest))), g);
+    reciprocal = hn::IfThenElse(is_steep, hn::CopySign(set_float(BoxRay::steepest), reciprocal), reciprocal);
   }
-  const auto reciprocal = hn::DemoteTo(narrow, nearly_r);
-  const V exact = hn::PromoteTo(d, reciprocal), offset = hn::Mul(f, exact), half_width = hn::Mul(g, hn::Abs(exact));
+  const auto far_reciprocal = hn::Mul(reciprocal, set_float(1 + BoxRay::slack));
   hn::StoreU(reciprocal, narrow, out.reciprocal);
-  hn::StoreU(hn::DemoteTo(narrow, hn::Add(offset, half_width)), narrow, out.near_offset);
-  hn::StoreU(hn::DemoteTo(narrow, hn::Sub(offset, half_width)), narrow, out.far_offset);
+  hn::StoreU(far_reciprocal, narrow, out.far_reciprocal);
+  hn::StoreU(hn::Add(hn::Mul(f, reciprocal), hn::Mul(g, hn::Abs(reciprocal))), narrow, out.near_offset);
+  hn::StoreU(hn::Sub(hn::Mul(f, far_reciprocal), hn::Mul(g, hn::Abs(far_reciprocal))), narrow, out.far_offset);
 
   // As BoxRay::set.
   const auto row = hn::ShiftLeft<3>(hn::Iota(rows, 0)), other = hn::Add(row, hn::Set(rows, 3 * width));
   const auto is_reversed = hn::RebindMask(rows, hn::Lt(reciprocal, hn::Zero(narrow)));
   hn::StoreU(hn::IfThenElse(is_reversed, other, row), rows, reinterpret_cast<std::int32_t*>(out.near_row));
   hn::StoreU(hn::IfThenElse(is_reversed, row, other), rows, reinterpret_cast<std::int32_t*>(out.far_row));
+  out.reach_from(time_exponent, start);
   if (HWY_UNLIKELY(numeric::is_finite(ray.t_max))) end_with(out, ray);
 }
 

@@ -51,13 +51,14 @@ struct Entries {
 template <class D>
 struct RayAtBoxes {
   using V = hn::Vec<D>;
-  V reciprocal[3], near_offset[3], far_offset[3];
+  V reciprocal[3], far_reciprocal[3], near_offset[3], far_offset[3];
   std::uint32_t near_row[3], far_row[3];
 
   HWY_INLINE explicit RayAtBoxes(const BoxRay& ray) {
     const D d;
     for (int k = 0; k < 3; ++k) {
       reciprocal[k] = hn::Set(d, ray.reciprocal[k]);
+      far_reciprocal[k] = hn::Set(d, ray.far_reciprocal[k]);
       near_offset[k] = hn::Set(d, ray.near_offset[k]);
       far_offset[k] = hn::Set(d, ray.far_offset[k]);
       near_row[k] = ray.near_row[k];
@@ -71,9 +72,9 @@ struct RayAtBoxes {
     V first = hn::Zero(d), last = hn::Set(d, high);
     for (int k = 0; k < 3; ++k) {
       first = hn::Max(first, hn::MulSub(hn::Load(d, node.rows() + near_row[k] + i), reciprocal[k], near_offset[k]));
-      last = hn::Min(last, hn::MulSub(hn::Load(d, node.rows() + far_row[k] + i), reciprocal[k], far_offset[k]));
+      last = hn::Min(last, hn::MulSub(hn::Load(d, node.rows() + far_row[k] + i), far_reciprocal[k], far_offset[k]));
     }
-    const auto met = hn::Le(first, hn::Mul(last, hn::Set(d, 1 + BoxRay::slack)));
+    const auto met = hn::Le(first, last);
     return Entries<V, decltype(hn::Le(first, last))>{first, met};
   }
 };

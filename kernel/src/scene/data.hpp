@@ -35,8 +35,13 @@ struct Listing {
   std::uint32_t node, slot;  ///< the leaf is this child of this node
 };
 
+struct Kernels;
+/// The hot loops for the best of the SIMD targets that this machine has.
+[[nodiscard]] const Kernels& kernels() noexcept;
+
 template <Real T>
 struct Data : Content<T> {
+  const Kernels* kernels = &scene::kernels();  ///< once a scene, for a query is over before it is found
   Box root = Box::empty();
   Pages<Node> nodes;  ///< parents before their children, the root first; none in a scene of nothing
   Pages<TriangleBlock<T>> triangles;

@@ -9,12 +9,14 @@ namespace graze::scene {
 
 using exact::Enclosure;
 
-/// t = distance / whole where the determinant's sign is certain. With numbers n, d within a, b of the true ones, d > b, the
-/// quotients differ by at most (a + |n/d| b) / (d - b). Nothing here is near overflow or underflow (numeric/filter.hpp).
+/// t = distance / whole where the determinant's sign is certain: each side by the numbers' own bounds, which decide it, and
+/// 2^-50 of itself for the three roundings. Nothing here is near overflow or underflow (numeric/filter.hpp).
 [[nodiscard]] inline Enclosure enclose(double distance, double whole, double distance_error, double whole_error) noexcept {
-  const double t = distance / whole, size = numeric::magnitude(t), scale = (1 + 0x1p-40) / (whole - whole_error);
-  const double error = (distance_error + size * whole_error) * scale + size * 0x1p-50;
-  return {t - error, t + error};
+  const double least = distance - distance_error, most = distance + distance_error;
+  const double smaller = whole - whole_error, larger = whole + whole_error;
+  constexpr double up = 1 + 0x1p-50, down = 1 - 0x1p-50;
+  const double low = least / (least < 0 ? smaller : larger), high = most / (most < 0 ? larger : smaller);
+  return {low * (least < 0 ? up : down), high * (most < 0 ? down : up)};
 }
 [[nodiscard]] inline Enclosure enclose(const predicates::TriangleTerms<double>& terms) noexcept {
   return enclose(terms.distance, terms.whole, terms.distance_error, terms.error);

@@ -7,6 +7,8 @@
 #define GRAZE_SCENE_FACE_INL
 #endif
 
+#include <cstddef>
+
 #include "rounding/quotients.hpp"
 #include "scene/boxes-inl.hpp"
 
@@ -95,9 +97,11 @@ HWY_INLINE FourLanes set(float x, float y, float z) {
   const hn::Rebind<float, Four> d;
   return hn::PromoteTo(Four(), hn::ConcatLowerLower(d, hn::Set(d, z), hn::InterleaveLower(d, hn::Set(d, x), hn::Set(d, y))));
 }
+/// A vector of the ray's, and the number after it, which nothing depends on.
 template <Real T>
 HWY_INLINE FourLanes vector(const Vec3<T>& v) {
-  return set(v.x, v.y, v.z);
+  static_assert(offsetof(Ray<T>, t_min) == 6 * sizeof(T));
+  return load_as_double(Four(), &v.x);
 }
 template <Real T>
 HWY_INLINE FourLanes corner(const TriangleBlock<T>& block, int lane, int c) {
@@ -180,10 +184,15 @@ HWY_INLINE bool round_face(const Ray<float>& ray, const TriangleBlock<float>& bl
 }
 
 template <Real T>
+HWY_NOINLINE void exact_face(const Ray<T>& ray, const TriangleBlock<T>& block, int lane, TriangleHit<T>& hit) noexcept {
+  hit = exact::intersect(ray, block.triangle(lane));
+}
+
+template <Real T>
 HWY_NOINLINE HWY_FLATTEN void face(const Ray<T>& ray, const TriangleBlock<T>& block, int lane,
                                    const rounding::FaceBounds& bounds, TriangleHit<T>& hit) noexcept {
   if (HWY_LIKELY(numeric::rounds_to_nearest() && round_face(ray, block, lane, bounds, hit))) return;
-  hit = exact::intersect(ray, block.triangle(lane));
+  exact_face(ray, block, lane, hit);
 }
 
 #else

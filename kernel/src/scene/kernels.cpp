@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 
 template <Real T, class Tally>
-void closest(const Query<T, Tally>& query, SceneHit<T>& answer) noexcept {
+HWY_FLATTEN void closest(const Query<T, Tally>& query, SceneHit<T>& answer) noexcept {
   const auto [is_plain, status] = admit(query.ray);
   answer.status = status;
   if (HWY_UNLIKELY(status != Status::ok)) return;
@@ -28,7 +28,7 @@ void closest(const Query<T, Tally>& query, SceneHit<T>& answer) noexcept {
   if (visitor.best().shape != Shape::none) round_to(answer, query, visitor.best());
 }
 template <Real T, class Tally>
-bool any(const Query<T, Tally>& query) noexcept {
+HWY_FLATTEN bool any(const Query<T, Tally>& query) noexcept {
   const auto [is_plain, status] = admit(query.ray);
   if (HWY_UNLIKELY(status != Status::ok)) return false;
   AnyVisitor<T, Tally> visitor(query, is_plain);
@@ -36,7 +36,7 @@ bool any(const Query<T, Tally>& query) noexcept {
   return visitor.is_hit;
 }
 template <Real T, class Tally>
-std::uint64_t count(const Query<T, Tally>& query) noexcept {
+HWY_FLATTEN std::uint64_t count(const Query<T, Tally>& query) noexcept {
   const auto [is_plain, status] = admit(query.ray);
   if (HWY_UNLIKELY(status != Status::ok)) return 0;
   CountVisitor<T, Tally> visitor(query, is_plain);
@@ -44,7 +44,7 @@ std::uint64_t count(const Query<T, Tally>& query) noexcept {
   return visitor.sum;
 }
 template <Real T, class Tally>
-void collect(const Query<T, Tally>& query, bool only_closest, std::vector<Candidate>& found) {
+HWY_FLATTEN void collect(const Query<T, Tally>& query, bool only_closest, std::vector<Candidate>& found) {
   const auto [is_plain, status] = admit(query.ray);
   if (status != Status::ok) return;
   CollectVisitor<T, Tally>(query, is_plain, only_closest, found).run();
@@ -56,7 +56,7 @@ SceneHit<T> rounded(const Query<T, Tally>& query, const Candidate& candidate) no
   return hit;
 }
 template <Real T, class Tally>
-Place inside(const Query<T, Tally>& query) noexcept {
+HWY_FLATTEN Place inside(const Query<T, Tally>& query) noexcept {
   return InsideVisitor<T, Tally>(query).place();
 }
 

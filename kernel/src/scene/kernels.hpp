@@ -1,4 +1,4 @@
-// The queries' hot loops, compiled for each SIMD target; the machine's best is chosen when they are called.
+// The queries' hot loops, compiled for each SIMD target; the machine's best is chosen when a scene is made.
 #pragma once
 
 #include <span>
@@ -66,12 +66,9 @@ struct Kernels {
   }
 };
 
-/// Of the target that this machine takes.
-[[nodiscard]] const Kernels& kernels() noexcept;
-
 template <Real T, class Tally>
-[[nodiscard]] inline const QueryKernels<T, Tally>& kernels(const Query<T, Tally>&) noexcept {
-  return kernels().of<T, Tally>();
+[[nodiscard]] inline const QueryKernels<T, Tally>& kernels(const Query<T, Tally>& query) noexcept {
+  return query.data.kernels->template of<T, Tally>();
 }
 
 }  // namespace graze::scene

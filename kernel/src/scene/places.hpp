@@ -1,20 +1,28 @@
 // Where nodes and leaves lie in memory.
 #pragma once
 
+#include <hwy/base.h>
+
 #include "scene/data.hpp"
 
 namespace graze::scene {
 
-/// Found without branches: whether a child is a node or a leaf is not predictable.
+/// Found without branches, for whether a child is a node or a leaf is not predictable; of nothing and of spheres always the
+/// same place, anywhere.
 template <Real T>
 class Places {
  public:
   explicit Places(const Data<T>& data) noexcept
       : first_{bytes(data.nodes), bytes(data.nodes), bytes(data.triangles), bytes(data.nodes)} {}
 
-  /// Of nothing and of spheres always the same, anywhere.
-  [[nodiscard]] const char* of(Child child) const noexcept {
-    return first_[child.part()] + strides[child.part()] * child.index();
+  /// Asks for a child's memory, for it will be visited soon: in a scene beyond the first caches a tenth of the time. Always
+  /// inlined: GCC takes a function that only fetches for one without effect, and drops its calls.
+  HWY_INLINE void fetch(Child child) const noexcept {
+    const std::size_t part = child.part(), is_leaf = part >> 1;
+    const char* const at = first_[part] + strides[part] * child.index();
+    constexpr std::size_t line = 64, shortest = sizeof(Node) / line;
+    for (std::size_t i = 0; i <= shortest; ++i) __builtin_prefetch(at + i * line);
+    for (std::size_t i = shortest + 1; i < sizeof(TriangleBlock<T>) / line; ++i) __builtin_prefetch(at + i * line * is_leaf);
   }
 
  private:

@@ -152,16 +152,16 @@ Place Scene<T>::inside(const Vec3<T>& point, Statistics& statistics) const noexc
 template <Real T>
 void Scene<T>::closest(std::span<const Ray<T>> rays, std::span<SceneHit<T>> answers, const QueryOptions& options,
                        Threads threads) const {
-  scene::batch(*data_, rays, answers, options, threads, scene::kernels().batches<T>().closest);
+  scene::batch(*data_, rays, answers, options, threads, data_->kernels->template batches<T>().closest);
 }
 template <Real T>
 void Scene<T>::any(std::span<const Ray<T>> rays, std::span<bool> answers, const QueryOptions& options, Threads threads) const {
-  scene::batch(*data_, rays, answers, options, threads, scene::kernels().batches<T>().any);
+  scene::batch(*data_, rays, answers, options, threads, data_->kernels->template batches<T>().any);
 }
 template <Real T>
 void Scene<T>::count(std::span<const Ray<T>> rays, std::span<std::uint64_t> answers, const QueryOptions& options,
                      Threads threads) const {
-  scene::batch(*data_, rays, answers, options, threads, scene::kernels().batches<T>().count);
+  scene::batch(*data_, rays, answers, options, threads, data_->kernels->template batches<T>().count);
 }
 template <Real T>
 void Scene<T>::all(std::span<const Ray<T>> rays, std::span<std::vector<SceneHit<T>>> answers, const QueryOptions& options,

@@ -34,22 +34,17 @@ HWY_INLINE Admission admit(const Ray<T>& ray) {
   return {is_one, HWY_LIKELY(is_one) ? Status::ok : exact::status_of(ray, true, false)};
 }
 
-/// The headers' own functions are compiled for the baseline: called from here, each would pay for the change of registers'
-/// width. Flattened they are compiled for the target.
+/// The headers' own functions are compiled for the baseline: called, each would pay for the change of registers' width. So what
+/// makes this is flattened.
 template <Real T>
 struct Rays {
-  HWY_NOINLINE HWY_FLATTEN Rays(const Data<T>& data, const Ray<T>& ray, bool is_plain) : lanes(ray, data.extent) {
+  HWY_INLINE Rays(const Data<T>& data, const Ray<T>& ray, bool is_plain) : lanes(ray, data.extent) {
     bring(data.space, data.root, ray, is_plain, box);
   }
 
   RayLanes<T> lanes;
   BoxRay box;
 };
-template <Real T>
-HWY_NOINLINE HWY_FLATTEN void end_rays_at(RayLanes<T>& lanes, BoxRay& box, double t) {
-  lanes.end_at(t);
-  box.end_at(t);
-}
 
 }  // namespace graze::scene::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -175,10 +175,7 @@ class Streams {
     Slot**& end = ends_[part];
     *end = &slot;
     end += count;
-    const char* const at = places_.of(next);
-    const std::size_t is_leaf = part >> 1;
-    for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
-    for (std::size_t line = 4; line < sizeof(TriangleBlock<T>) / 64; ++line) __builtin_prefetch(at + 64 * line * is_leaf);
+    places_.fetch(next);
   }
 
   HWY_INLINE void turn_to_other(Slot& slot) {

@@ -54,7 +54,7 @@ HWY_INLINE auto test_bound(D d, hn::TFromD<D> x, V whole, V distance, V error, V
 /// The verdicts on a block's lanes, in the format's own precision: the formulas and bounds of predicates::triangle_terms<T> and
 /// predicates::verdict, operation by operation; a product and a sum are one FMA or two operations. The ray's range must be
 /// plain. Lanes that are certainly beyond ray.end are missed. The terms are told to `tell(i, ...)`, of a vector from the i-th
-/// lane on, where there may be faces.
+/// lane on.
 template <Real T, class Tell>
 HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& block, Tell tell) {
   using numeric::Ordinary;
@@ -82,8 +82,6 @@ HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& b
     const auto is_bounded = hn::And(is_ordinary, hn::Gt(whole, error));
     const V least = hn::Min(hn::Min(u, v), w);
     const auto is_beside = hn::Lt(least, hn::Neg(error));
-    if (hn::AllTrue(d, hn::And(is_beside, is_bounded))) continue;
-
     const V distance = hn::Xor(dot(e2, g), sign);
     auto is_above = hn::Gt(distance, distance_error);
     auto is_outside = hn::Lt(distance, hn::Neg(distance_error));

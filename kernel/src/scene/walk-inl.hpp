@@ -13,13 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 
-/// Asks for a child's memory, for it will be visited soon: in a scene beyond the caches a tenth of the time.
-template <Real T>
-HWY_INLINE void fetch(const Places<T>& places, Child child) {
-  const char* const at = places.of(child);
-  for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
-}
-
 /// Visits the leaves that the ray meets from `next` on, nearer ones first as far as their boxes tell, until visitor.leaf(child)
 /// returns true, and returns whether one did. The visitor may shorten the ray.
 template <Real T, class Tally, class Visitor>
@@ -57,7 +50,7 @@ HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
         const Child child_one = node.children[one], child_other = node.children[other];
         const bool is_swapped = at_other < at_one;
         *top++ = {is_swapped ? child_one : child_other, is_swapped ? at_one : at_other};
-        fetch(places, top[-1].child);
+        places.fetch(top[-1].child);
         next = is_swapped ? child_other : child_one;
         continue;
       }
@@ -71,7 +64,7 @@ HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
         Entry* hole = top++;
         for (; hole > base && hole[-1].entry < at; --hole) *hole = hole[-1];
         *hole = {node.children[i], at};
-        fetch(places, node.children[i]);
+        places.fetch(node.children[i]);
       } while (met != 0);
       next = (--top)->child;
     }
