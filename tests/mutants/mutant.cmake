@@ -6,12 +6,22 @@ get_target_property(kernel_sources graze SOURCES)
 # The last one calls the kernel's inline functions.
 set(mutable_sources ${kernel_sources} ../fuzz/kernel_calls.cpp)
 
-# For mutants of what is compiled for AVX2 and FMA: whether this processor has them, and the flags.
+# For mutants of what is compiled for SIMD targets: the flags of one of four lanes; and for AVX2 and FMA, whether this processor has them.
+set(four_lanes -msse4.2 -maes -mpclmul)
 set(has_fma FALSE)
 if(EXISTS /proc/cpuinfo)
   file(STRINGS /proc/cpuinfo has_fma REGEX "^flags.* fma .* avx2 " LIMIT_COUNT 1)
 endif()
-set(fma_options -mavx2 -mfma -mbmi -mbmi2 -mf16c)
+# Sets `instructions` for a mutant's function with the option FMA; ends that function where the processor lacks them.
+macro(graze_choose_instructions)
+  set(instructions ${four_lanes})
+  if(arg_FMA)
+    if(NOT has_fma)
+      return()
+    endif()
+    list(APPEND instructions -mavx2 -mfma -mbmi -mbmi2 -mf16c)
+  endif()
+endmacro()
 
 # graze_kernel_objects(NAME [OPTIONS flag...] INCLUDES dir... SOURCES file...): objects with the library's flags, but cheaper to build.
 # Not linked with graze::graze: nothing of the library itself may come in.

@@ -62,26 +62,24 @@ struct Slopes {
   int exponent;
   bool is_ordinary;
 };
-HWY_INLINE Slopes slopes_of(hn::Vec<hn::CappedTag<double, 4>> given) {
-  const hn::CappedTag<double, 4> d;
-  const hn::RebindToSigned<decltype(d)> bits;
+/// From floats the same numbers as from doubles, as a quotient rounded to double and then to float is as if rounded once: no
+/// component is subnormal, so those that are not steep are normal; the steep ones may overflow, as in the conversion.
+template <class D>
+HWY_INLINE Slopes slopes_of(D d, hn::Vec<D> given) {
+  using T = hn::TFromD<D>;
+  constexpr bool is_float = sizeof(T) < sizeof(double);
+  constexpr T least = static_cast<T>(is_float ? 0x1p-100 : 0x1p-900), most = 1 / least;
   const auto longest = hn::MaxOfLanes(d, hn::Abs(given));
-  const double length = hn::GetLane(longest);
-  const auto power = hn::And(longest, hn::BitCast(d, hn::Set(bits, numeric::infinity_bits<double>)));
+  const T length = hn::GetLane(longest);
+  const auto power = hn::And(longest, hn::BitCast(d, hn::Set(hn::RebindToSigned<D>(), numeric::infinity_bits<T>)));
   // The division need not wait for the power of two.
-  return {hn::DemoteTo(FourFloats(), hn::Mul(hn::Div(hn::Set(d, 1), given), power)), exponent_of(length),
-          length >= 0x1p-900 && length <= 0x1p900};
-}
-/// The same numbers, as a quotient rounded to double and then to float is as if rounded once: no component is subnormal, so
-/// those that are not steep are normal; the steep ones may overflow, as in the conversion.
-HWY_INLINE Slopes slopes_of(hn::Vec<FourFloats> given) {
-  const FourFloats f;
-  const hn::RebindToSigned<FourFloats> bits;
-  const auto longest = hn::MaxOfLanes(f, hn::Abs(given));
-  const float length = hn::GetLane(longest);
-  const auto power = hn::And(longest, hn::BitCast(f, hn::Set(bits, numeric::infinity_bits<float>)));
-  return {hn::Mul(hn::Div(hn::Set(f, 1), given), power), static_cast<int>(numeric::magnitude_bits(length) >> 23) - 127,
-          length >= 0x1p-100f && length <= 0x1p100f};
+  const auto reciprocal = hn::Mul(hn::Div(hn::Set(d, 1), given), power);
+  const bool is_ordinary = length >= least && length <= most;
+  if constexpr (is_float) {
+    return {reciprocal, exponent_of(length), is_ordinary};
+  } else {
+    return {hn::DemoteTo(FourFloats(), reciprocal), exponent_of(length), is_ordinary};
+  }
 }
 
 /// As box_ray, step by step, so with the same bits, of a plain ray, to `out`: what is returned would be copied, and have to
@@ -98,7 +96,7 @@ HWY_INLINE void to_box_ray(const Space& space, const Box& root, const Ray<T>& ra
   const T* const numbers = reinterpret_cast<const T*>(&ray);
   const hn::CappedTag<T, 4> own;
   const auto given = hn::IfThenElseZero(hn::FirstN(own, 3), hn::LoadU(own, numbers + 3));
-  const Slopes slopes = slopes_of(given);
+  const Slopes slopes = slopes_of(own, given);
   const V place = hn::Sub(hn::Mul(set(0.25), load_as_double(d, numbers)), hn::LoadU(d, space.quarter_origin));
   const V e = hn::Mul(place, set(space.scale));
   auto f = hn::IfThenElseZero(hn::FirstN(narrow, 3), hn::DemoteTo(narrow, e)), error = set_float(BoxRay::least_error);

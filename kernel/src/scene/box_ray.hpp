@@ -16,31 +16,31 @@ namespace graze::scene {
 /// and a distant origin does not cost the floats their precision.
 ///
 /// What is computed, with u = 2^-23, which bounds one float operation's relative error in every rounding mode:
-///   F, a double within f of X(tau0), f = 2^-50 (|E| + |tau0 D|) + 2^-110 |tau0| + 2^-100, and F' as a float;
-///   R, a float within 1.01 u of 1 / D, or +-2^60 where that float is greater; and R+ = R (1 + 2^-19), rounded;
-///   g = 2^-20 |F'| + e, with e = 2^-49 (|E| + |tau0 D|) + 2^-109 |tau0| + 2^-89, or 2^-89 where the ray is followed from its
-///   origin, and 2^-58 (1 + max |F'|) more where |R| = 2^60 took a greater one's place; for a plane at p, the one met first, n
-///   = p R - (F' R + g |R|), for the one met last m = p R+ - (F' R+ - g |R+|), where only the products with p may be fused; the
-///   box is met if max(n, 0) <= min(m, s_high), over the three axes.
+///  - F, a double within f of X(tau0), f = 2^-50 (|E| + |tau0 D|) + 2^-110 |tau0| + 2^-100, and F' as a float;
+///  - R, a float within 1.01 u of 1 / D, or +-2^60 where that float is greater; and R+ = R (1 + 2^-19), rounded;
+///  - g = 2^-20 |F'| + e, with e = 2^-49 (|E| + |tau0 D|) + 2^-109 |tau0| + 2^-89, or 2^-89 where the ray is followed from
+///    its origin, and 2^-58 (1 + max |F'|) more where |R| = 2^60 took a greater one's place;
+///  - for a plane at p, the one met first, n = p R - (F' R + g |R|), for the one met last m = p R+ - (F' R+ - g |R+|), where
+///    only the products with p may be fused;
+///  - the box is met if max(n, 0) <= min(m, s_high), over the three axes.
 /// Why no box is lost. Let the ray meet the box at s >= 0, so that for each axis nu <= s <= mu, where nu and mu are the
 /// parameters (p - X(tau0)) / D of its planes.
-///  - R is 1 / D. With G the exact X(tau0), p R - G R = nu (1 + a), |a| <= 1.01 u. The product p R errs by u |p R| <= u (|p -
-///  G|
-///    + |G|) |R|, or not at all if fused; F' for G by (u |F| + f) |R|; the offset by u |F' R| in its product and u (|F' R|
-///    + 1.01 g |R|) in its sum. All terms with |F| or |R| alone are below g |R| / 1.5: the four of them with u |F| come to less
-///    than 4.1 u |F| < 0.52 2^-20 |F|; 1.65 f < e, but where tau0 = 0 for 2^-50 |E|, which is next to nothing beside u |F|, as
-///    E = F there; g and its product with |R| err by 5 u of themselves; and what is flushed or underflows, 6 * 2^-126 (1 +
-///    |R|), is below 2^-89 / 8 * |R|, as |R| >= 1/2. So before its last rounding n is at most nu (1 + 1.01 u + 1.01 u (1 + u))
-///    where nu >= 0, and negative where nu < 0; after it n <= nu (1 + 3.1 u) or n <= 0. Likewise m with R+, which is 1 / D
-///    times at least 1 + 2^-19 - 2.1 u: m >= mu (1 + 2^-19 - 4.2 u) > mu (1 + 2^-20), and m >= 2^-92 (so that it is not
-///    flushed), as mu >= 0. Hence n <= s (1 + 3.1 u) <= m.
-///  - |R| = 2^60 in a greater one's place: |D| < 2^-60 (1 + 2 u). On an axis j with |D_j| >= 1, s <= |X_j| + |G_j| <= 1.01 +
-///  max
-///    |F| + f: taking D = 1 / R moves the ray by at most s 2^-59 on this axis, for which 2^-58 (1 + max |F'|) pays. Then the
-///    above holds for the moved ray.
+///  - R is 1 / D. With G the exact X(tau0), p R - G R = nu (1 + a), |a| <= 1.01 u. The product p R errs by u |p R|, which is
+///    at most u (|p - G| + |G|) |R|, or not at all if fused; F' for G by (u |F| + f) |R|; the offset by u |F' R| in its
+///    product and u (|F' R| + 1.01 g |R|) in its sum. All terms with |F| or |R| alone are below g |R| / 1.5: the four of them
+///    with u |F| come to less than 4.1 u |F| < 0.52 2^-20 |F|; 1.65 f < e, but where the ray is followed from its origin for
+///    2^-50 |E|, which is next to nothing beside u |F|, as E = F there; g and its product with |R| err by 5 u of themselves;
+///    and what is flushed or underflows, 6 * 2^-126 (1 + |R|), is below 2^-89 / 8 * |R|, as |R| >= 1/2. So before its last
+///    rounding n is at most nu (1 + 1.01 u + 1.01 u (1 + u)) where nu >= 0, and negative where nu < 0; after it
+///    n <= nu (1 + 3.1 u) or n <= 0. Likewise m with R+, which is 1 / D times at least 1 + 2^-19 - 2.1 u:
+///    m >= mu (1 + 2^-19 - 4.2 u) > mu (1 + 2^-20), and m >= 2^-92 (so that it is not flushed), as mu >= 0. Hence
+///    n <= s (1 + 3.1 u) <= m.
+///  - |R| = 2^60 in a greater one's place: |D| < 2^-60 (1 + 2 u). On an axis j with |D_j| >= 1, s <= |X_j| + |G_j|, which is
+///    at most 1.01 + max |F| + f: taking D = 1 / R moves the ray by at most s 2^-59 on this axis, for which
+///    2^-58 (1 + max |F'|) pays. Then the above holds for the moved ray.
 ///  - s_high is at least (1 + 2^-20) times the greatest s that is still of interest, which is more than n.
-/// Nothing overflows: |p| <= 1.01, |F| <= 2^62, |R+| <= 2^61, so |n|, |m| < 2^124. Rays for which the bounds of E fail (|E| >
-/// 2^40, infinite) take R = R+ = 0, n = 0, m = the largest float: they meet every box.
+/// Nothing overflows: |p| <= 1.01, |F| <= 2^62, |R+| <= 2^61, so |n|, |m| < 2^124. Rays for which the bounds of E fail
+/// (|E| > 2^40, infinite) take R = R+ = 0, n = 0, m = the largest float: they meet every box.
 ///
 /// All inputs of the boxes' float operations are normal or zero, so denormals-are-zero changes nothing.
 struct BoxRay {
@@ -52,12 +52,12 @@ struct BoxRay {
   double reach = 0, reach_offset = high;           ///< s_high = t reach + reach_offset
   bool is_blind = false;                           ///< meets every box
 
-  static constexpr float slack = 0x1p-19f;
+  static constexpr float slack = 0x1p-19f;  ///< R+ = R (1 + slack)
   /// Rays whose origin is no farther off in box space are followed from there: the floats lose little.
   static constexpr float near_by = 4;
   /// Axes of greater reciprocals are taken for perpendicular to the ray, with this one.
   static constexpr float steepest = 0x1p60f;
-  /// e where tau0 = 0, and what is the same for all axes of its part for tau0 otherwise.
+  /// e where the ray is followed from its origin, and what is the same for all axes of its part for tau0 otherwise.
   static constexpr float least_error = 0x1p-89f;
   [[nodiscard]] static double least_error_at(double start) noexcept { return 0x1p-109 * __builtin_fabs(start) + least_error; }
   [[nodiscard]] static constexpr std::uint32_t row(int i) noexcept { return static_cast<std::uint32_t>(i * width); }

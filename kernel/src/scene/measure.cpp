@@ -61,6 +61,7 @@ struct Survey {
   }
 };
 
+/// The first corner from a triangle on that is not finite; there is one.
 template <Real T>
 BuildStatus non_finite(const Mesh<T>& mesh, std::size_t from) noexcept {
   const std::span<const Vec3<T>> points = mesh.points.get();

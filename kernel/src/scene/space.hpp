@@ -27,8 +27,11 @@ namespace graze::scene {
 }
 
 /// floor(log2 |x|) of a normal x.
-[[nodiscard]] inline int exponent_of(double x) noexcept {
-  return static_cast<int>(numeric::magnitude_bits(x) >> 52) - 1023;
+template <Real T>
+[[nodiscard]] inline int exponent_of(T x) noexcept {
+  using Format = numeric::FormatOf<T>;
+  constexpr int bias = (1 << (Format::exponent_bits - 1)) - 1;
+  return static_cast<int>(numeric::magnitude_bits(x) >> (Format::precision - 1)) - bias;
 }
 
 /// Bounds are finite, and normal or zero, for where denormals are zero a subnormal bound would move inward.
