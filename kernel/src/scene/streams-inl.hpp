@@ -54,6 +54,33 @@ struct alignas(32) Keys {
 
 #if HWY_MAX_BYTES >= 32
 
+using KeyLanes = hn::CappedTag<std::int32_t, width>;
+
+#if HWY_ARCH_X86 && HWY_MAX_BYTES < 64
+/// Of each set of lanes, in four bits each from the lowest on, which they are, in order.
+inline constexpr auto lanes_of_sets = [] {
+  std::array<std::uint32_t, 1U << width> out{};
+  for (unsigned set = 0; set < out.size(); ++set) {
+    int n = 0;
+    for (unsigned lane = 0; lane < width; ++lane) {
+      if ((set >> lane & 1) != 0) out[set] |= lane << (4 * n++);
+    }
+  }
+  return out;
+}();
+/// As Highway's Compress, which with GCC copies its table to the stack every time.
+HWY_INLINE hn::Vec<KeyLanes> compressed(hn::Vec<KeyLanes> v, hn::Mask<KeyLanes> mask) {
+  const KeyLanes d;
+  const hn::RebindToUnsigned<KeyLanes> bits;
+  const auto lanes = hn::Shr(hn::Set(bits, lanes_of_sets[bits_of_mask(d, mask)]), hn::ShiftLeft<2>(hn::Iota(bits, 0)));
+  return hn::TableLookupLanes(v, hn::IndicesFromVec(d, hn::And(lanes, hn::Set(bits, width - 1))));
+}
+#else
+HWY_INLINE hn::Vec<KeyLanes> compressed(hn::Vec<KeyLanes> v, hn::Mask<KeyLanes> mask) {
+  return hn::Compress(v, mask);
+}
+#endif
+
 HWY_INLINE void meet(const BoxRay& ray, const Node& node, Keys& out) {
   const BoxLanes d;
   const hn::RebindToSigned<decltype(d)> bits;
@@ -65,14 +92,14 @@ HWY_INLINE void meet(const BoxRay& ray, const Node& node, Keys& out) {
 
 /// The nearest child is next, or what was last on the agenda if none is met; the others go there.
 HWY_INLINE void push(const Keys& met, const Node& node, Agenda& agenda) {
-  const hn::CappedTag<std::int32_t, width> d;
+  const KeyLanes d;
   const auto keys = hn::Load(d, met.keys), nearest = hn::MinOfLanes(d, keys);
   const auto is_met = hn::Lt(keys, hn::Set(d, Keys::not_met)), is_other = hn::Gt(hn::IfThenElseZero(is_met, keys), nearest);
   const auto children = hn::Load(d, reinterpret_cast<const std::int32_t*>(node.children));
   Child* const end = agenda.child + agenda.size;
-  hn::StoreU(hn::Compress(hn::AndNot(hn::Set(d, width - 1), keys), is_other), d,
+  hn::StoreU(compressed(hn::AndNot(hn::Set(d, width - 1), keys), is_other), d,
              reinterpret_cast<std::int32_t*>(agenda.entry + agenda.size));
-  hn::StoreU(hn::Compress(children, is_other), d, reinterpret_cast<std::int32_t*>(end));
+  hn::StoreU(compressed(children, is_other), d, reinterpret_cast<std::int32_t*>(end));
   end[hn::CountTrue(d, is_other)] = node.children[static_cast<unsigned>(hn::GetLane(nearest)) % width];
   agenda.size += static_cast<int>(hn::CountTrue(d, is_met)) - 1;
   agenda.next = agenda.child[agenda.size];
