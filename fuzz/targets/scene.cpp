@@ -27,14 +27,16 @@ bool is_valid(const SceneDraft<T>& draft) {
   return true;
 }
 
-/// Builds the scene with every point at another place, and moves them where they belong.
+/// Builds the scene with every point at another place, half of them at one, and moves them where they belong.
 template <Real T>
 BuildStatus build_and_refit(Scene<T>& scene, const SceneQuestion<T>& question) {
   std::vector<Part<T>> parts = question.draft.parts;
   for (Part<T>& part : parts) {
     if (auto* mesh = std::get_if<Mesh<T>>(&part)) {
       std::vector<Vec3<T>> points;
-      for (const Vec3<T>& p : mesh->points.get()) points.push_back({p.y, -p.z / 2, p.x});
+      for (const Vec3<T>& p : mesh->points.get()) {
+        points.push_back(points.size() % 2 == 0 ? Vec3<T>{p.y, -p.z / 2, p.x} : Vec3<T>{});
+      }
       mesh->points = std::move(points);
     } else {
       auto& spheres = std::get<Spheres<T>>(part).spheres;

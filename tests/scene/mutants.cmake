@@ -18,10 +18,11 @@ foreach(part campaign corpus truth)
   target_link_libraries(scene_mutant_${part} PRIVATE graze_judge graze::graze)
 endforeach()
 
-# graze_scene_mutant(NAME BY campaign|corpus MODELS sentence FILE file FIND text REPLACE text [FMA]); without a file it is the control,
-# which must not be caught. FMA: what is mutated is compiled for AVX2 and FMA, where this processor has them.
+# graze_scene_mutant(NAME BY campaign|corpus MODELS sentence FILE file FIND text REPLACE text [FMA] [CRASHES]); without a file it is the
+# control, which must not be caught. FMA: what is mutated is compiled for AVX2 and FMA, where this processor has them. CRASHES: it writes
+# where it must not, and ends the program.
 function(graze_scene_mutant name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FMA" "BY;MODELS;FILE;FIND;REPLACE" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FMA;CRASHES" "BY;MODELS;FILE;FIND;REPLACE" "")
   graze_choose_instructions()
   set(overlay ${CMAKE_CURRENT_BINARY_DIR}/${name})
   set(mutated)
@@ -56,6 +57,9 @@ function(graze_scene_mutant name)
   else()
     set(arguments ${PROJECT_SOURCE_DIR}/fuzz/corpus/scene)
     set(sentence "The scene is wrong")
+  endif()
+  if(arg_CRASHES)
+    string(APPEND sentence "|Segmentation fault|Aborted|Bus error")
   endif()
   if(arg_FILE)
     # By a shell: a program that ends itself fails a test whatever it says.
@@ -205,3 +209,29 @@ graze_scene_mutant(
   FILE src/scene/build.cpp
   FIND [[leaf.end = static_cast<std::uint32_t>(last - references.begin());]]
   REPLACE [[static_cast<void>(last);]])
+
+graze_scene_mutant(
+  points_confused
+  BY campaign
+  MODELS "points of a leaf taken for one where their hashes are the same"
+  FILE src/scene/fill.hpp
+  FIND [[while (place_of[slot] != 0 &&]]
+  REPLACE [[while (place_of[slot] > 3 * width &&]])
+
+graze_scene_mutant(
+  points_of_other_lanes
+  BY campaign
+  MODELS "the upper lanes of a vector get the lower ones' corners"
+  FILE src/scene/triangles-inl.hpp
+  FIND [[hn::ConcatUpperLower(d, two(2), two(0));]]
+  REPLACE [[hn::ConcatUpperLower(d, two(0), two(0));]]
+  FMA)
+
+graze_scene_mutant(
+  came_apart_unseen
+  BY corpus
+  MODELS "a refit whose points come apart that were one keeps the leaves"
+  FILE src/scene/refit.cpp
+  FIND [[return fits(data, lanes.size, lanes);]]
+  REPLACE [[return lanes.size >= 0;]]
+  CRASHES)

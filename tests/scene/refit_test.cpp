@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "fuzz/scene/truth.hpp"
+#include "graze/triangle.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/formats.hpp"
 
@@ -68,6 +69,45 @@ TEST_CASE("Viewed points that moved in place are seen after refit") {
   points[1].x = std::nan("");
   CHECK(scene.refit() == BuildStatus{BuildError::non_finite, 0, 0, 1});
   CHECK(scene.closest({{0.25, 0.25, 0}, {0, 0, 1}}).triangle.t == 1e6);
+}
+
+TEST_CASE("Points that were one may come apart by a refit, and be one again") {
+  in_both_formats([]<Real T>() {
+    // A fan about the z axis, each triangle with points of its own, and then each at a height of its own.
+    constexpr int n = 64;
+    const auto fan = [](bool is_apart) {
+      std::vector<Vec3<T>> points;
+      const auto corner = [&](int i, T r, T z) {
+        const T angle = T(i % n) * T(2 * 3.14159265358979 / n);
+        points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+      };
+      for (int i = 0; i < n; ++i) {
+        const T z = is_apart ? T(i) / 8 : T(0);
+        corner(i, 0, z + 1);
+        corner(i, 1, z);
+        corner(i + 1, 1, z);
+      }
+      return points;
+    };
+    std::vector<Corners> triangles;
+    for (std::uint32_t i = 0; i < n; ++i) triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    Scene<T> scene;
+    REQUIRE(scene.build({Mesh<T>{fan(false), triangles}}).ok());
+    for (const bool is_apart : {true, false, true}) {
+      REQUIRE(scene.refit(0, fan(is_apart)).ok());
+      const std::vector<Vec3<T>> points = fan(is_apart);
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const auto& [a, b, c] = triangles[i];
+        const Triangle<T> triangle{points[a], points[b], points[c]};
+        const Ray<T> ray{{(triangle.b.x + triangle.c.x) / 3, (triangle.b.y + triangle.c.y) / 3, T(100)}, {0, 0, -1}};
+        const SceneHit<T> hit = scene.closest(ray);
+        REQUIRE(hit.is_hit());
+        CHECK(hit.index == i);
+        CHECK(hit.triangle == intersect(ray, triangle));
+        CHECK(scene.count(ray) == 1);
+      }
+    }
+  });
 }
 
 TEST_CASE("Another number of points or spheres is refused, and the scene stays") {

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "scene/divide.hpp"
+#include "scene/fill.hpp"
 #include "scene/parallel.hpp"
 #include "scene/splits.hpp"
 
@@ -58,15 +59,6 @@ std::uint32_t write(const Branch& branch, const Pages<Reference>& references, Da
   return self;
 }
 
-/// Empty lanes repeat the first shape, so that they hold ordinary numbers.
-template <Real T, class Block>
-void fill(const Data<T>& data, Block& block, const Reference* references, std::uint32_t size) noexcept {
-  for (std::uint32_t i = 0; i < width; ++i) {
-    load(data, block, static_cast<int>(i), references[i < size ? i : 0].index);
-    if (i >= size) block.index[i] = no_primitive;
-  }
-}
-
 /// Of several references to one triangle in one leaf the leaf keeps one.
 void drop_repeats(std::vector<Leaf>& leaves, Pages<Reference>& references) {
   for (Leaf& leaf : leaves) {
@@ -111,7 +103,11 @@ void build(Data<T>& data, const BuildOptions& options) {
   for (const Reference& r : references) data.root.include(r.box());
   if (options.spatial_splits) split(data, references);
   Branches branches;
-  const Branch* const top = divide(references, data.root, threads, branches);
+  const auto fits_in_block = [&data](std::span<const Reference> some) {
+    return some[0].is_sphere != 0 ||
+           fits(data, static_cast<int>(some.size()), [&](int i) -> std::uint32_t { return some[i].index; });
+  };
+  const Branch* const top = divide(references, data.root, fits_in_block, threads, branches);
   Sizes sizes, written;
   count(*top, references, sizes);
   data.nodes.resize(sizes.nodes);
@@ -128,11 +124,12 @@ void build(Data<T>& data, const BuildOptions& options) {
   for_ranges(leaves.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Leaf& leaf = leaves[i];
-      const Reference* from = references.data() + leaf.begin;
+      const int size = static_cast<int>(leaf.end - leaf.begin);
+      const auto index = [from = references.data() + leaf.begin](int lane) -> std::uint32_t { return from[lane].index; };
       if (leaf.child.is_spheres()) {
-        fill(data, data.spheres[leaf.child.index()], from, leaf.end - leaf.begin);
+        fill(data, data.spheres[leaf.child.index()], size, index);
       } else {
-        fill(data, data.triangles[leaf.child.index()], from, leaf.end - leaf.begin);
+        fill(data, data.triangles[leaf.child.index()], size, index);
       }
     }
   });

@@ -13,7 +13,12 @@ template <Real T>
 template <Real T>
 void build(Data<T>& data, const BuildOptions& options);
 
-/// Gives the leaves of a built hierarchy the shapes as they are now, and every node its boxes; the data is measured.
+/// Whether the shapes of each leaf, as they are now, fit into it: points that were one may have come apart.
+template <Real T>
+[[nodiscard]] bool still_fits(const Data<T>& data) noexcept;
+
+/// Gives the leaves of a built hierarchy the shapes as they are now, and every node its boxes; the data is measured and
+/// still fits.
 template <Real T>
 void refit(Data<T>& data) noexcept;
 

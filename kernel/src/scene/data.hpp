@@ -8,6 +8,7 @@
 #include "numeric/dyadic.hpp"
 #include "scene/node.hpp"
 #include "scene/pages.hpp"
+#include "scene/triangle_block.hpp"
 
 namespace graze::scene {
 
@@ -22,6 +23,7 @@ struct Content {
 
   [[nodiscard]] std::uint32_t size() const noexcept { return first.empty() ? 0 : first.back(); }
   [[nodiscard]] std::uint32_t part_of(std::uint32_t primitive) const noexcept {
+    if (parts.size() == 1) return 0;
     return static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), primitive) - first.begin()) - 1;
   }
   [[nodiscard]] std::uint32_t mask_of(std::uint32_t primitive) const noexcept {
@@ -40,13 +42,17 @@ struct Kernels;
 [[nodiscard]] const Kernels& kernels() noexcept;
 
 template <Real T>
-struct Data : Content<T> {
-  const Kernels* kernels = &scene::kernels();  ///< once a scene, for a query is over before it is found
+struct Hierarchy {
   Box root = Box::empty();
   Pages<Node> nodes;  ///< parents before their children, the root first; none in a scene of nothing
   Pages<TriangleBlock<T>> triangles;
   Pages<SphereBlock<T>> spheres;
   std::vector<Listing> listings;  ///< of the triangles in several leaves, by primitive; none without spatial splits
+};
+
+template <Real T>
+struct Data : Content<T>, Hierarchy<T> {
+  const Kernels* kernels = &scene::kernels();  ///< once a scene, for a query is over before it is found
   bool is_closed = false;
 };
 
@@ -62,22 +68,24 @@ template <Real T>
   return {mesh.points[a], mesh.points[b], mesh.points[c]};
 }
 
+/// Where a primitive is that is a triangle.
+template <Real T>
+struct InMesh {
+  const Mesh<T>* mesh;
+  std::uint32_t part, triangle;
+
+  [[nodiscard]] const Corners& corners() const noexcept { return mesh->triangles[triangle]; }
+};
+template <Real T>
+[[nodiscard]] inline InMesh<T> triangle_at(const Data<T>& data, std::uint32_t primitive) noexcept {
+  const std::uint32_t part = data.part_of(primitive);
+  return {std::get_if<Mesh<T>>(&data.parts[part]), part, primitive - data.first[part]};
+}
 /// The primitive, which is a triangle, as it is now.
 template <Real T>
 [[nodiscard]] inline Triangle<T> triangle_of(const Data<T>& data, std::uint32_t primitive) noexcept {
-  const std::uint32_t part = data.part_of(primitive);
-  return triangle_of(std::get<Mesh<T>>(data.parts[part]), primitive - data.first[part]);
-}
-
-/// The primitive as it is now.
-template <Real T>
-inline void load(const Data<T>& data, TriangleBlock<T>& block, int lane, std::uint32_t primitive) noexcept {
-  block.set(lane, triangle_of(data, primitive), primitive);
-}
-template <Real T>
-inline void load(const Data<T>& data, SphereBlock<T>& block, int lane, std::uint32_t primitive) noexcept {
-  const std::uint32_t part = data.part_of(primitive);
-  block.set(lane, std::get<Spheres<T>>(data.parts[part]).spheres[primitive - data.first[part]], primitive);
+  const InMesh<T> at = triangle_at(data, primitive);
+  return triangle_of(*at.mesh, at.triangle);
 }
 
 }  // namespace graze::scene

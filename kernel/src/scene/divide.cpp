@@ -102,7 +102,8 @@ struct Piece {
 
 class Builder {
  public:
-  Builder(Pages<Reference>& references, Threads threads) : references_(references), threads_(threads) {}
+  Builder(Pages<Reference>& references, const Fits& fits, Threads threads)
+      : references_(references), fits_(fits), threads_(threads) {}
 
   [[nodiscard]] Piece whole(const Box& root) const {
     const auto centers = [&](std::size_t begin, std::size_t end) {
@@ -165,18 +166,22 @@ class Builder {
     }
   }
 
-  [[nodiscard]] bool is_leaf(const Range& range) const noexcept {
-    if (range.size() > width) return false;
+  [[nodiscard]] bool is_of_one_kind(const Range& range) const noexcept {
     for (std::size_t i = range.begin + 1; i < range.end; ++i) {
       if (references_[i].is_sphere != references_[range.begin].is_sphere) return false;
     }
     return true;
   }
+  [[nodiscard]] bool is_leaf(const Range& range) const {
+    return range.size() <= width && is_of_one_kind(range) && fits_({&references_[range.begin], range.size()});
+  }
 
   /// Neither part is empty.
   [[nodiscard]] std::array<Piece, 2> split(const Piece& whole) const {
     const Range& range = whole.range;
-    if (range.size() <= width) return parted(range, [](const Reference& r) { return r.is_sphere == 0; });
+    if (range.size() <= width && !is_of_one_kind(range)) {
+      return parted(range, [](const Reference& r) { return r.is_sphere == 0; });
+    }
     const Binning binning(whole.centers, range.size());
     const Split best = best_split(range, binning);
     if (best.axis >= 0 && range.depth < deepest_by_area) {
@@ -256,6 +261,7 @@ class Builder {
   }
 
   Pages<Reference>& references_;
+  const Fits& fits_;
   Threads threads_;
 };
 
@@ -281,8 +287,8 @@ void Children::take(const Branch& branch, int most) noexcept {
   }
 }
 
-const Branch* divide(Pages<Reference>& references, const Box& root, Threads threads, Branches& branches) {
-  const Builder builder(references, threads);
+const Branch* divide(Pages<Reference>& references, const Box& root, const Fits& fits, Threads threads, Branches& branches) {
+  const Builder builder(references, fits, threads);
   return builder.branch(builder.whole(root), branches);
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "scene/references.hpp"
@@ -68,7 +70,11 @@ struct Children {
   void take(const Branch& branch, int most) noexcept;
 };
 
+/// Whether references of one kind, at most eight, fit into one leaf; half of eight do.
+using Fits = std::function<bool(std::span<const Reference>)>;
+
 /// Sorts the references so that each leaf's are a range; `root` holds all. Throws std::bad_alloc.
-[[nodiscard]] const Branch* divide(Pages<Reference>& references, const Box& root, Threads threads, Branches& branches);
+[[nodiscard]] const Branch* divide(Pages<Reference>& references, const Box& root, const Fits& fits, Threads threads,
+                                   Branches& branches);
 
 }  // namespace graze::scene

@@ -105,7 +105,8 @@ HWY_INLINE FourLanes vector(const Vec3<T>& v) {
 }
 template <Real T>
 HWY_INLINE FourLanes corner(const TriangleBlock<T>& block, int lane, int c) {
-  return set(block.corners[c][0][lane], block.corners[c][1][lane], block.corners[c][2][lane]);
+  const Vec3<T> p = block.corner(c, lane);
+  return set(p.x, p.y, p.z);
 }
 
 HWY_INLINE FourLanes last_in_all(FourLanes v) {

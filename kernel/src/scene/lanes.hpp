@@ -3,7 +3,7 @@
 
 #include "graze/triangle.hpp"
 #include "numeric/dyadic.hpp"
-#include "scene/node.hpp"
+#include "scene/triangle_block.hpp"
 
 namespace graze::scene {
 

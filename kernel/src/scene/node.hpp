@@ -1,4 +1,4 @@
-// The hierarchy's parts: inner nodes of eight children, leaves of up to eight shapes in SIMD order.
+// The hierarchy's parts: inner nodes of eight children, leaves of up to eight spheres in SIMD order.
 #pragma once
 
 #include <cstdint>
@@ -62,26 +62,6 @@ struct alignas(32) Node {
 };
 
 /// Lanes that hold nothing come last; their index is no_primitive.
-template <Real T>
-struct alignas(64) TriangleBlock {
-  T corners[3][3][width];  ///< by corner a, b, c, then axis
-  std::uint32_t index[width];
-
-  [[nodiscard]] Triangle<T> triangle(int i) const noexcept {
-    const auto corner = [&](int c) { return Vec3<T>{corners[c][0][i], corners[c][1][i], corners[c][2][i]}; };
-    return {corner(0), corner(1), corner(2)};
-  }
-  void set(int i, const Triangle<T>& t, std::uint32_t primitive) noexcept {
-    int c = 0;
-    for (const Vec3<T>& p : {t.a, t.b, t.c}) {
-      corners[c][0][i] = p.x;
-      corners[c][1][i] = p.y;
-      corners[c++][2][i] = p.z;
-    }
-    index[i] = primitive;
-  }
-};
-
 template <Real T>
 struct alignas(64) SphereBlock {
   T center[3][width];

@@ -20,9 +20,9 @@ class Places {
   HWY_INLINE void fetch(Child child) const noexcept {
     const std::size_t part = child.part(), is_leaf = part >> 1;
     const char* const at = first_[part] + strides[part] * child.index();
-    constexpr std::size_t line = 64, shortest = sizeof(Node) / line;
+    constexpr std::size_t line = 64, shortest = sizeof(Node) / line, longest = (sizeof(TriangleBlock<T>) + line - 1) / line;
     for (std::size_t i = 0; i <= shortest; ++i) __builtin_prefetch(at + i * line);
-    for (std::size_t i = shortest + 1; i < sizeof(TriangleBlock<T>) / line; ++i) __builtin_prefetch(at + i * line * is_leaf);
+    for (std::size_t i = shortest + 1; i < longest; ++i) __builtin_prefetch(at + i * line * is_leaf);
   }
 
  private:

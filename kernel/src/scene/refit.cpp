@@ -1,16 +1,32 @@
 // New shapes in the leaves of a hierarchy, new boxes above them.
+#include <algorithm>
+#include <array>
+
 #include "scene/build.hpp"
+#include "scene/fill.hpp"
 
 namespace graze::scene {
 namespace {
 
+/// How many lanes hold something, and which primitives.
+struct Lanes {
+  int size = 0;
+  std::array<std::uint32_t, width> primitives;
+
+  template <class Block>
+  explicit Lanes(const Block& block) noexcept {
+    std::copy_n(block.index, width, primitives.begin());
+    while (size < width && block.index[size] != no_primitive) ++size;
+  }
+  [[nodiscard]] std::uint32_t operator()(int lane) const noexcept { return primitives[static_cast<std::size_t>(lane)]; }
+};
+
 template <Real T, class Block>
 [[nodiscard]] Box reload(const Data<T>& data, Block& block) noexcept {
+  const Lanes lanes(block);
+  fill(data, block, lanes.size, lanes);
   Box box = Box::empty();
-  for (int i = 0; i < width; ++i) {
-    const std::uint32_t primitive = block.index[i];
-    load(data, block, i, primitive == no_primitive ? block.index[0] : primitive);
-    block.index[i] = primitive;
+  for (int i = 0; i < lanes.size; ++i) {
     if constexpr (requires { block.triangle(0); }) {
       box.include(box_of(data.space, block.triangle(i)));
     } else {
@@ -21,6 +37,14 @@ template <Real T, class Block>
 }
 
 }  // namespace
+
+template <Real T>
+bool still_fits(const Data<T>& data) noexcept {
+  return std::ranges::all_of(data.triangles, [&](const TriangleBlock<T>& block) {
+    const Lanes lanes(block);
+    return fits(data, lanes.size, lanes);
+  });
+}
 
 template <Real T>
 void refit(Data<T>& data) noexcept {
@@ -50,6 +74,8 @@ void refit(Data<T>& data) noexcept {
   }
 }
 
+template bool still_fits(const Data<float>&) noexcept;
+template bool still_fits(const Data<double>&) noexcept;
 template void refit(Data<float>&) noexcept;
 template void refit(Data<double>&) noexcept;
 

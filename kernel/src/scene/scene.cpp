@@ -35,6 +35,19 @@ BuildStatus Scene<T>::build(std::vector<Part<T>> parts, const BuildOptions& opti
 
 namespace {
 
+/// Another hierarchy. Where that throws the data is left as it was.
+template <Real T>
+void rebuild(scene::Data<T>& data) {
+  scene::Hierarchy<T>& hierarchy = data;
+  scene::Hierarchy<T> held = std::move(hierarchy);
+  try {
+    scene::build(data, {.threads = Threads::mine, .spatial_splits = !held.listings.empty()});
+  } catch (...) {
+    hierarchy = std::move(held);
+    throw;
+  }
+}
+
 /// Puts `fresh` in the place of `held`, which is the data's, and takes it back where that is refused.
 template <Real T, class Elements>
 BuildStatus replace(scene::Data<T>& data, Elements& held, Elements& fresh) {
@@ -47,6 +60,11 @@ BuildStatus replace(scene::Data<T>& data, Elements& held, Elements& fresh) {
     status = scene::measure(data, Threads::mine);
     // Corners may have come apart that were the same point.
     if (status.ok() && data.is_closed) status = scene::check_closed(data);
+    if (status.ok() && scene::still_fits(data)) {
+      scene::refit(data);
+    } else if (status.ok()) {
+      rebuild(data);
+    }
   } catch (const std::bad_alloc&) {
     status = {BuildError::out_of_memory, 0, 0, 0};
   }
@@ -55,10 +73,8 @@ BuildStatus replace(scene::Data<T>& data, Elements& held, Elements& fresh) {
     data.bounds = bounds;
     data.extent = extent;
     data.space = space;
-    return status;
   }
-  scene::refit(data);
-  return {};
+  return status;
 }
 
 }  // namespace
