@@ -216,7 +216,7 @@ graze_scene_mutant(
   MODELS "points of a leaf taken for one where their hashes are the same"
   FILE src/scene/fill.hpp
   FIND [[while (place_of[slot] != 0 &&]]
-  REPLACE [[while (place_of[slot] > 3 * width &&]])
+  REPLACE [[while (place_of[slot] != 0 && one.hash() == 1 &&]])
 
 graze_scene_mutant(
   points_of_other_lanes

@@ -1,9 +1,11 @@
 // Queries on scenes made by hand: ties, ranges, options, invalid rays.
+#include <cmath>
 #include <limits>
 #include <thread>
 
 #include "fuzz/mesh/mesh.hpp"
 #include "graze/scene.hpp"
+#include "graze/triangle.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/formats.hpp"
 
@@ -120,6 +122,27 @@ TEST_CASE("Two threads at once answer as one does") {
   down.join();
   CHECK(alone == forward);
   CHECK(alone == backward);
+}
+
+TEST_CASE("A range may end anywhere beyond what the filter takes") {
+  in_both_formats([]<Real T>() {
+    const Triangle<T> triangle{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+    Scene<T> scene;
+    REQUIRE(scene.build({Mesh<T>{std::vector<Vec3<T>>{triangle.a, triangle.b, triangle.c}, std::vector<Corners>{{0, 1, 2}}}}).ok());
+    constexpr T most = std::numeric_limits<T>::max();
+    for (int e = 0; e < std::numeric_limits<T>::max_exponent; ++e) {
+      const T t = std::ldexp(T(1), e);
+      for (const T t_max : {std::nextafter(t, T(0)), t, std::nextafter(t, most), most}) {
+        const Ray<T> ray{{T(0.25), T(0.25), 0}, {0, 0, 1 / t}, 0, t_max};
+        CAPTURE(e, t_max);
+        const SceneHit<T> hit = scene.closest(ray);
+        CHECK(hit.is_hit() == (t_max >= t));
+        CHECK(scene.any(ray) == hit.is_hit());
+        CHECK(scene.count(ray) == (hit.is_hit() ? 1 : 0));
+        if (hit.is_hit()) CHECK(hit.triangle == intersect(ray, triangle));
+      }
+    }
+  });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What a scene does not need is not done: seen in the counters.
 #include <cmath>
+#include <limits>
 
 #include "fuzz/mesh/mesh.hpp"
 #include "fuzz/random.hpp"
@@ -120,6 +121,24 @@ TEST_CASE("A scene of small integers runs no error bound, and rays of other numb
     CHECK(integers.filter_hits > hits);
     CHECK(integers.exact_orders < integers.filter_hits);
     CHECK(others.error_bounds == others.triangle_tests);
+  });
+}
+
+TEST_CASE("The greatest number for the range's end costs little more than none") {
+  in_both_formats([]<Real T>() {
+    const Scene<T> scene = sphere_of_triangles<T>(4);
+    const Random stream(1, "greatest-end", sizeof(T));
+    Statistics endless, ended;
+    for (std::uint64_t i = 0; i < 500; ++i) {
+      Random random = stream.at(i);
+      Ray<T> ray = choose_ray<T>(random);
+      const SceneHit<T> hit = scene.closest(ray, {}, endless);
+      ray.t_max = std::numeric_limits<T>::max();
+      CHECK(scene.closest(ray, {}, ended) == hit);
+    }
+    CHECK(ended.triangle_tests == endless.triangle_tests);
+    CHECK(ended.filter_hits + ended.exact_decisions == endless.filter_hits + endless.exact_decisions);
+    CHECK(ended.exact_decisions * 1000 <= ended.triangle_tests);
   });
 }
 

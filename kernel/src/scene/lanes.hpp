@@ -22,7 +22,8 @@ struct RayLanes {
   const Ray<T>& ray;
   T direction_sum;
   T end = 0;  ///< where `has_end`, hits beyond this do not matter
-  bool has_default_range, has_t_max, has_end = false;
+  T t_max = 0;  ///< the ray's, or where that is greater than the filter takes, the greatest that it takes
+  bool has_default_range, has_t_max, is_t_max_greater = false, has_end = false;
   bool range_is_plain;      ///< whether the filter takes the ray's range
   bool is_integer = false;  ///< whether all triangles' determinants are exact in double
 
@@ -33,12 +34,21 @@ struct RayLanes {
                       numeric::magnitude(ray.direction.z)),
         has_default_range(numeric::is_default_range(ray)),
         has_t_max(numeric::is_finite(ray.t_max)),
-        range_is_plain(has_default_range || numeric::is_ordinary_range<T>(ray)) {
+        range_is_plain(has_default_range || take_range()) {
     if (!has_default_range || !is_small(extent)) return;
     numeric::Extent with_origin = extent, alone;
     with_origin.include(numeric::dyadic(ray.origin));
     alone.include(numeric::dyadic(ray.direction));
     is_integer = is_small(with_origin) && is_small(alone);
+  }
+
+  /// Whether the filter takes the range. Many give the greatest number for t_max, and mean none.
+  [[nodiscard]] bool take_range() noexcept {
+    constexpr T most = numeric::Ordinary<T, T>::bound_high;
+    t_max = ray.t_max;
+    is_t_max_greater = has_t_max && t_max > most;
+    if (is_t_max_greater) t_max = most;
+    return numeric::is_ordinary_range<T>(Ray<T>{ray.origin, ray.direction, ray.t_min, t_max});
   }
 
   /// From now on hits beyond t do not matter, where that is a number that the filter takes.

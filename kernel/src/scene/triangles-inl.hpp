@@ -125,9 +125,9 @@ HWY_INLINE LaneVerdicts settle(const RayLanes<T>& ray, const TriangleBlock<T>& b
       is_above = from.above;
       is_outside = from.below;
       if (ray.has_t_max) {
-        const auto to = test_bound(d, ray.ray.t_max, whole, distance, error, distance_error);
+        const auto to = test_bound(d, ray.t_max, whole, distance, error, distance_error);
         is_above = hn::And(is_above, to.below);
-        is_outside = hn::Or(is_outside, to.above);
+        if (!ray.is_t_max_greater) is_outside = hn::Or(is_outside, to.above);
       }
     }
     if (ray.has_end) is_outside = hn::Or(is_outside, test_bound(d, ray.end, whole, distance, error, distance_error).above);
