@@ -56,8 +56,9 @@ class Scene {
   [[nodiscard]] BuildStatus build(std::vector<Part<T>> parts, const BuildOptions& options = {});
 
   /// Takes other points for a mesh, or other spheres, as many as there were. Cheaper than building, but the more the shapes
-  /// move the slower the queries become; a scene of doubles is built anew where points of a leaf come apart that were one. Where
-  /// that fails the scene is left as it was. Not to be called beside queries.
+  /// move the slower the queries become; a scene of doubles is built anew, beside the hierarchy that it has, where more points
+  /// come apart that were one than a leaf can hold. Where that fails the scene is left as it was. Not to be called beside
+  /// queries.
   [[nodiscard]] BuildStatus refit(std::size_t part, Array<Vec3<T>> points);
   [[nodiscard]] BuildStatus refit(std::size_t part, Array<Sphere<T>> spheres);
   /// The same where viewed points or spheres have been moved in place.

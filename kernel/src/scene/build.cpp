@@ -1,6 +1,7 @@
 // From primitives to nodes and blocks.
 #include "scene/build.hpp"
 
+#include <span>
 #include <tuple>
 
 #include "scene/divide.hpp"

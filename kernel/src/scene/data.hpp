@@ -53,7 +53,7 @@ struct Hierarchy {
 template <Real T>
 struct Data : Content<T>, Hierarchy<T> {
   const Kernels* kernels = &scene::kernels();  ///< once a scene, for a query is over before it is found
-  bool is_closed = false;
+  BuildOptions options;                        ///< as the scene was built
 };
 
 template <Real T>

@@ -1,4 +1,6 @@
 // The hot loops, compiled for each of Highway's targets: this file and the -inl files are included again for each.
+#include "batch/targets.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scene/kernels.cpp"
 // clang-format off: the first must come before all, the last after all.
@@ -7,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <array>
 #include <limits>
 #include <new>
 

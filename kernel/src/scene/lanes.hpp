@@ -21,8 +21,8 @@ template <Real T>
 struct RayLanes {
   const Ray<T>& ray;
   T direction_sum;
-  T end = 0;  ///< where `has_end`, hits beyond this do not matter
-  T t_max = 0;  ///< the ray's, or where that is greater than the filter takes, the greatest that it takes
+  T end = 0;    ///< where `has_end`, hits beyond this do not matter
+  T t_max = 0;  ///< where the range is not the default: the ray's, or the greatest that the filter takes if that is less
   bool has_default_range, has_t_max, is_t_max_greater = false, has_end = false;
   bool range_is_plain;      ///< whether the filter takes the ray's range
   bool is_integer = false;  ///< whether all triangles' determinants are exact in double
@@ -42,21 +42,23 @@ struct RayLanes {
     is_integer = is_small(with_origin) && is_small(alone);
   }
 
-  /// Whether the filter takes the range. Many give the greatest number for t_max, and mean none.
-  [[nodiscard]] bool take_range() noexcept {
-    constexpr T most = numeric::Ordinary<T, T>::bound_high;
-    t_max = ray.t_max;
-    is_t_max_greater = has_t_max && t_max > most;
-    if (is_t_max_greater) t_max = most;
-    return numeric::is_ordinary_range<T>(Ray<T>{ray.origin, ray.direction, ray.t_min, t_max});
-  }
-
   /// From now on hits beyond t do not matter, where that is a number that the filter takes.
   void end_at(double t) noexcept {
     using Ordinary = numeric::Ordinary<T, T>;
     has_end = t >= static_cast<double>(Ordinary::low) && t <= static_cast<double>(Ordinary::bound_high) / 2;
     // Not below t, in every rounding mode.
     if (has_end) end = sizeof(T) < sizeof(double) ? static_cast<T>(t * (1 + 0x1p-22)) : static_cast<T>(t);
+  }
+
+ private:
+  /// Sets t_max and is_t_max_greater; returns whether the filter takes the range. Many give the greatest number for t_max, and
+  /// mean none.
+  [[nodiscard]] bool take_range() noexcept {
+    constexpr T most = numeric::Ordinary<T, T>::bound_high;
+    t_max = ray.t_max;
+    is_t_max_greater = has_t_max && t_max > most;
+    if (is_t_max_greater) t_max = most;
+    return numeric::is_ordinary_range<T>(Ray<T>{ray.origin, ray.direction, ray.t_min, t_max});
   }
 };
 

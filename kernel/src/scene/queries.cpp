@@ -67,7 +67,7 @@ template <Real T>
 
 template <Real T, class Tally>
 [[nodiscard]] Place inside(const Data<T>& data, const Vec3<T>& point, Tally tally) noexcept {
-  if (!data.is_closed || !numeric::is_finite(point)) return Place::unknown;
+  if (!data.options.is_closed || !numeric::is_finite(point)) return Place::unknown;
   const Ray<T> ray{point, {T(1), T(0), T(0)}};
   const QueryOptions options;
   const Query<T, Tally> query{data, ray, options, tally};

@@ -40,6 +40,7 @@ template <Real T, class Block>
 
 template <Real T>
 bool still_fits(const Data<T>& data) noexcept {
+  if constexpr (sizeof(T) < sizeof(double)) return true;
   return std::ranges::all_of(data.triangles, [&](const TriangleBlock<T>& block) {
     const Lanes lanes(block);
     return fits(data, lanes.size, lanes);

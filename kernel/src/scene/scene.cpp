@@ -24,7 +24,7 @@ BuildStatus Scene<T>::build(std::vector<Part<T>> parts, const BuildOptions& opti
     BuildStatus status = scene::measure(*data, options.threads);
     if (status.ok() && options.is_closed) status = scene::check_closed(*data);
     if (!status.ok()) return status;
-    data->is_closed = options.is_closed;
+    data->options = options;
     scene::build(*data, options);
     data_ = std::move(data);
     return {};
@@ -41,7 +41,7 @@ void rebuild(scene::Data<T>& data) {
   scene::Hierarchy<T>& hierarchy = data;
   scene::Hierarchy<T> held = std::move(hierarchy);
   try {
-    scene::build(data, {.threads = Threads::mine, .spatial_splits = !held.listings.empty()});
+    scene::build(data, data.options);
   } catch (...) {
     hierarchy = std::move(held);
     throw;
@@ -59,7 +59,7 @@ BuildStatus replace(scene::Data<T>& data, Elements& held, Elements& fresh) {
   try {
     status = scene::measure(data, Threads::mine);
     // Corners may have come apart that were the same point.
-    if (status.ok() && data.is_closed) status = scene::check_closed(data);
+    if (status.ok() && data.options.is_closed) status = scene::check_closed(data);
     if (status.ok() && scene::still_fits(data)) {
       scene::refit(data);
     } else if (status.ok()) {
@@ -111,7 +111,7 @@ Bounds<T> Scene<T>::bounds() const noexcept {
 
 template <Real T>
 bool Scene<T>::is_closed() const noexcept {
-  return data_->is_closed;
+  return data_->options.is_closed;
 }
 
 template <Real T>

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-#include "graze/scene/query.hpp"
 #include "graze/triangle.hpp"
 #include "scene/node.hpp"
 
@@ -25,7 +24,7 @@ struct alignas(64) TriangleBlock<float> {
 };
 
 /// Of doubles each point once, however many of the triangles share it: six cache lines, where corners by themselves take ten.
-/// Triangles that share nothing come in blocks of four.
+/// Triangles that share nothing come in blocks of at most four.
 template <>
 struct alignas(32) TriangleBlock<double> {
   static constexpr int most_points = 12;

@@ -62,15 +62,21 @@ HWY_INLINE Vectors<hn::Vec<D>> corners(D d, const TriangleBlock<double>& block, 
   };
 #else
   // By loads and blends: a gather would be slower, and tables are too short.
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  static_assert(lanes == 1 || lanes == 2 || lanes == 4);
   const std::uint8_t* const place = block.place[c] + i;
   const auto axis = [&](int k) HWY_ATTR {
     const double* const points = block.points[k];
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(d, points[place[0]]);
+#else
     const auto two = [&](int j)
                          HWY_ATTR { return hn::OddEven(hn::Set(d, points[place[j + 1]]), hn::Set(d, points[place[j]])); };
 #if HWY_MAX_BYTES >= 32
     return hn::ConcatUpperLower(d, two(2), two(0));
 #else
     return two(0);
+#endif
 #endif
   };
 #endif
