@@ -235,3 +235,11 @@ graze_scene_mutant(
   FIND [[return fits(data, lanes.size, lanes);]]
   REPLACE [[return lanes.size >= 0;]]
   CRASHES)
+
+graze_scene_mutant(
+  greatest_end_taken
+  BY corpus
+  MODELS "the greatest end of a range that the filter takes, in a greater one's place, rejects too"
+  FILE src/scene/triangles-inl.hpp
+  FIND [[if (!ray.is_t_max_greater) is_outside]]
+  REPLACE [[is_outside]])

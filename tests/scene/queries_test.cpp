@@ -128,7 +128,8 @@ TEST_CASE("A range may end anywhere beyond what the filter takes") {
   in_both_formats([]<Real T>() {
     const Triangle<T> triangle{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
     Scene<T> scene;
-    REQUIRE(scene.build({Mesh<T>{std::vector<Vec3<T>>{triangle.a, triangle.b, triangle.c}, std::vector<Corners>{{0, 1, 2}}}}).ok());
+    REQUIRE(
+        scene.build({Mesh<T>{std::vector<Vec3<T>>{triangle.a, triangle.b, triangle.c}, std::vector<Corners>{{0, 1, 2}}}}).ok());
     constexpr T most = std::numeric_limits<T>::max();
     for (int e = 0; e < std::numeric_limits<T>::max_exponent; ++e) {
       const T t = std::ldexp(T(1), e);

@@ -73,10 +73,10 @@ struct Columns {
     }
     size += other.size;
   }
-  /// Half the surface, times the blocks, each of which is tested at once; infinite for nothing.
-  [[nodiscard]] Four cost() const noexcept {
+  /// Half the surface, times the blocks of so many, each of which is tested at once; infinite for nothing.
+  [[nodiscard]] Four cost(int block) const noexcept {
     const Four x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    const FourIntegers blocks = (size + (width - 1)) / width;
+    const FourIntegers blocks = (size + (block - 1)) / block;
     return size == 0 ? Four{} + infinity : (x * y + y * z + z * x) * __builtin_convertvector(blocks, Four);
   }
 
@@ -235,20 +235,22 @@ class Builder {
 
   [[nodiscard]] Split best_split(const Range& range, const Binning& binning) const {
     const Bins table = filled(range, binning);
+    // What is no more than eight and does not fit will in fours.
+    const int block = range.size() > width ? width : width / 2;
     std::array<Columns, most_bins> columns;
     for (int i = 0; i < binning.bins; ++i) columns[i] = Columns(table[i]);
     std::array<Four, most_bins> cost;
     Columns sum;
     for (int i = binning.bins - 1; i > 0; --i) {
       sum.include(columns[i]);
-      cost[i] = sum.cost();
+      cost[i] = sum.cost(block);
     }
     sum = {};
     Four least = Four{} + infinity;
     FourIntegers at{};
     for (int i = 1; i < binning.bins; ++i) {
       sum.include(columns[i - 1]);
-      const Four total = cost[i] + sum.cost();
+      const Four total = cost[i] + sum.cost(block);
       const FourIntegers is_less = total < least;
       least = is_less ? total : least;
       at = is_less ? FourIntegers{} + i : at;

@@ -3,7 +3,8 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scene/kernels.cpp"
-// clang-format off: the first must come before all, the last after all.
+// The first must come before all, the last after all.
+// clang-format off
 #include "scene/kernels.hpp"
 
 #include <hwy/foreach_target.h>
