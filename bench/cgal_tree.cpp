@@ -15,6 +15,10 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterato
 Kernel::Point_3 point(const Vec3<double>& p) {
   return {p.x, p.y, p.z};
 }
+Kernel::Ray_3 query(const Ray<double>& ray) {
+  const Vec3<double>& d = ray.direction;
+  return {point(ray.origin), Kernel::Vector_3(d.x, d.y, d.z)};
+}
 
 }  // namespace
 
@@ -35,11 +39,13 @@ CgalTree::~CgalTree() = default;
 
 std::size_t CgalTree::closest(const std::vector<Ray<double>>& rays) const {
   std::size_t hits = 0;
-  for (const Ray<double>& ray : rays) {
-    const Vec3<double>& d = ray.direction;
-    const Kernel::Ray_3 query(point(ray.origin), Kernel::Vector_3(d.x, d.y, d.z));
-    hits += tree_->tree.first_intersected_primitive(query).has_value() ? 1 : 0;
-  }
+  for (const Ray<double>& ray : rays) hits += tree_->tree.first_intersected_primitive(query(ray)).has_value() ? 1 : 0;
+  return hits;
+}
+
+std::size_t CgalTree::any(const std::vector<Ray<double>>& rays) const {
+  std::size_t hits = 0;
+  for (const Ray<double>& ray : rays) hits += tree_->tree.do_intersect(query(ray)) ? 1 : 0;
   return hits;
 }
 

@@ -17,6 +17,8 @@ class CgalTree {
 
   /// How many of the rays meet something; the nearest is found for each.
   [[nodiscard]] std::size_t closest(const std::vector<Ray<double>>& rays) const;
+  /// How many of the rays meet something.
+  [[nodiscard]] std::size_t any(const std::vector<Ray<double>>& rays) const;
 
  private:
   struct Tree;

@@ -106,6 +106,7 @@ void race_mix(SceneRows& rows, const SceneRow& about, const Scene<float>& narrow
     };
     contend("graze float batch", [&, met] { return met(narrow, rays); });
     contend("graze double batch", [&, met] { return met(wide, wide_rays); });
+    if (cgal != nullptr) contenders.push_back({"CGAL EPICK", [&] { return cgal->any(few); }, few.size()});
   } else {
     contend("Embree robust", each(rays, [&](const auto& r) { return robust.closest(r) != RTC_INVALID_GEOMETRY_ID; }));
     contend("Embree", each(rays, [&](const auto& r) { return fast.closest(r) != RTC_INVALID_GEOMETRY_ID; }));

@@ -157,20 +157,15 @@ Ray<T> choose_ray(const Space& space, const Box& box, Random& random) {
 
 template <Real T>
 Space choose_space(Random& random) {
-  Space space;
   // Scene coordinates are about 2^size.
   const int size = random.one_in(2) ? random.between(-3, 3)
                                     : random.between(std::numeric_limits<T>::min_exponent - (sizeof(T) == 4 ? 20 : 0),
                                                      std::numeric_limits<T>::max_exponent - 3);
-  const int exponent = std::min(-size, 898);
-  space.exponent = exponent;
-  space.scale = scene::power_of_two(std::max(exponent + 2, -1022));
-  space.exponent = std::max(exponent + 2, -1022) - 2;
-  for (double& o : space.quarter_origin) {
-    const T origin = random.one_in(2) ? T(0) : static_cast<T>(std::ldexp(random.between(-100, 100) / 128.0, size));
-    o = 0.25 * static_cast<double>(origin);
+  std::array<double, 3> origin{};
+  for (double& o : origin) {
+    o = random.one_in(2) ? 0 : static_cast<double>(static_cast<T>(std::ldexp(random.between(-100, 100) / 128.0, size)));
   }
-  return space;
+  return Space::about<T>(origin, std::max(std::min(-size, 898), -1024));
 }
 
 TEST_CASE("No box is rejected that the exact ray meets, on any target") {

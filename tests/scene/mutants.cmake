@@ -124,12 +124,29 @@ graze_scene_mutant(
   REPLACE [[this->end_at(found.t.low);]])
 
 graze_scene_mutant(
-  batch_cut_too_short
+  cut_too_short
   BY campaign
-  MODELS "a ray of a batch forgets what it enters in the last tenth before its nearest hit"
-  FILE src/scene/streams-inl.hpp
-  FIND [[kept += at > high ? 0 : 1;]]
-  REPLACE [[kept += at > 0.9f * high ? 0 : 1;]])
+  MODELS "a ray forgets what it enters in the last tenth before its nearest hit"
+  FILE src/scene/agenda-inl.hpp
+  FIND [[hn::Le(at, hn::Set(d, high))]]
+  REPLACE [[hn::Le(at, hn::Set(d, 0.9f * high))]])
+
+graze_scene_mutant(
+  second_forgotten
+  BY campaign
+  MODELS "of a node's children that are met, the one after the nearest not kept"
+  FILE src/scene/agenda-inl.hpp
+  FIND [[end += key != Keys::not_met ? 1 : 0;]]
+  REPLACE [[end += 0;]])
+
+graze_scene_mutant(
+  narrow_origin
+  BY campaign
+  MODELS "a ray's origin brought into box space in floats, off by 2^-18 of the scene"
+  FILE src/scene/box_ray-inl.hpp
+  FIND [[hn::LoadU(narrow, space.narrow_origin));]]
+  REPLACE [[hn::Add(hn::LoadU(narrow, space.narrow_origin), set_float(0x1p-18f / space.narrow_scale)));]]
+  FMA)
 
 graze_scene_mutant(
   batch_forgets_last

@@ -49,12 +49,8 @@ struct ShortVec3 {
   return numeric::bits_of(x + x) == 0;
 }
 
-[[nodiscard]] inline bool is_subnormal(float x) noexcept {
-  constexpr std::uint32_t least_normal = 0x00800000;
-  return numeric::magnitude_bits(x) - 1 < least_normal - 1;
-}
 [[nodiscard]] inline bool has_subnormal(const Vec3<float>& v) noexcept {
-  return is_subnormal(v.x) || is_subnormal(v.y) || is_subnormal(v.z);
+  return numeric::is_subnormal(v.x) || numeric::is_subnormal(v.y) || numeric::is_subnormal(v.z);
 }
 
 /// Whether a number is converted to zero that is not. The lattice sees a double that is read as zero, but of a float only what
@@ -69,7 +65,7 @@ template <class Shape>
 }
 [[nodiscard]] inline bool is_hidden(const Ray<float>& ray, const Sphere<float>& sphere) noexcept {
   return flushes_subnormals() && (has_subnormal(ray.origin) || has_subnormal(ray.direction) || has_subnormal(sphere.center) ||
-                                  is_subnormal(sphere.radius));
+                                  numeric::is_subnormal(sphere.radius));
 }
 
 }  // namespace graze::predicates

@@ -68,17 +68,17 @@ template <class D>
 HWY_INLINE Slopes slopes_of(D d, hn::Vec<D> given) {
   using T = hn::TFromD<D>;
   constexpr bool is_float = sizeof(T) < sizeof(double);
-  constexpr T least = static_cast<T>(is_float ? 0x1p-100 : 0x1p-900), most = 1 / least;
+  constexpr int most = is_float ? 100 : 900;
   const auto longest = hn::MaxOfLanes(d, hn::Abs(given));
-  const T length = hn::GetLane(longest);
+  const int exponent = exponent_of(hn::GetLane(longest));
   const auto power = hn::And(longest, hn::BitCast(d, hn::Set(hn::RebindToSigned<D>(), numeric::infinity_bits<T>)));
   // The division need not wait for the power of two.
   const auto reciprocal = hn::Mul(hn::Div(hn::Set(d, 1), given), power);
-  const bool is_ordinary = length >= least && length <= most;
+  const bool is_ordinary = (exponent >= -most) & (exponent < most);
   if constexpr (is_float) {
-    return {reciprocal, exponent_of(length), is_ordinary};
+    return {reciprocal, exponent, is_ordinary};
   } else {
-    return {hn::DemoteTo(FourFloats(), reciprocal), exponent_of(length), is_ordinary};
+    return {hn::DemoteTo(FourFloats(), reciprocal), exponent, is_ordinary};
   }
 }
 
@@ -97,17 +97,30 @@ HWY_INLINE void to_box_ray(const Space& space, const Box& root, const Ray<T>& ra
   const hn::CappedTag<T, 4> own;
   const auto given = hn::IfThenElseZero(hn::FirstN(own, 3), hn::LoadU(own, numbers + 3));
   const Slopes slopes = slopes_of(own, given);
-  const V place = hn::Sub(hn::Mul(set(0.25), load_as_double(d, numbers)), hn::LoadU(d, space.quarter_origin));
-  const V e = hn::Mul(place, set(space.scale));
-  auto f = hn::IfThenElseZero(hn::FirstN(narrow, 3), hn::DemoteTo(narrow, e)), error = set_float(BoxRay::least_error);
-  const float far = hn::GetLane(hn::MaxOfLanes(narrow, hn::Abs(f)));
-  if (HWY_UNLIKELY(!((far <= 0x1p40f) & slopes.is_ordinary))) {
+  const auto as_doubles = [&]() HWY_ATTR {
+    const V place = hn::Sub(hn::Mul(set(0.25), load_as_double(d, numbers)), hn::LoadU(d, space.quarter_origin));
+    return hn::Mul(place, set(space.scale));
+  };
+  auto f = hn::Zero(narrow), error = set_float(BoxRay::least_error);
+  bool is_ordinary = slopes.is_ordinary;
+  if constexpr (sizeof(T) < sizeof(double)) {
+    const auto difference = hn::Sub(hn::LoadU(narrow, numbers), hn::LoadU(narrow, space.narrow_origin));
+    f = hn::Mul(difference, set_float(space.narrow_scale));
+    is_ordinary &= space.is_narrow;
+  } else {
+    f = hn::DemoteTo(narrow, as_doubles());
+  }
+  f = hn::IfThenElseZero(hn::FirstN(narrow, 3), f);
+  // Beyond 2^40, which an infinite coordinate is too, a ray is blind.
+  const bool is_far = bits_of_mask(narrow, hn::Gt(hn::Abs(f), set_float(BoxRay::near_by))) != 0;
+  if (HWY_UNLIKELY(!is_ordinary || (is_far && !(hn::GetLane(hn::MaxOfLanes(narrow, hn::Abs(f))) <= 0x1p40f)))) {
     to_any_box_ray(space, root, ray, out);
     return;
   }
   const int time_exponent = slopes.exponent + space.exponent;
   double start = HWY_LIKELY(numeric::magnitude_bits(ray.t_min) == 0) ? 0 : first_tau_of(ray, time_exponent);
-  if ((far > BoxRay::near_by) | (start != 0)) {
+  if (is_far | (start != 0)) {
+    const V e = as_doubles();
     static_assert(sizeof(Box) == 6 * sizeof(float));
     const V direction = hn::Mul(load_as_double(d, numbers + 3), set(power_of_two(-slopes.exponent))),
             r = hn::Div(set(1), direction);

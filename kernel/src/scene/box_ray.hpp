@@ -16,7 +16,9 @@ namespace graze::scene {
 /// and a distant origin does not cost the floats their precision.
 ///
 /// What is computed, with u = 2^-23, which bounds one float operation's relative error in every rounding mode:
-///  - F, a double within f of X(tau0), f = 2^-50 (|E| + |tau0 D|) + 2^-110 |tau0| + 2^-100, and F' as a float;
+///  - F, within f of X(tau0), f = 2^-50 (|E| + |tau0 D|) + 2^-110 |tau0| + 2^-100, and F', a float within u |F| + 2^-126 of it.
+///    Either F is a double; or, of floats followed from their origin, X(0) itself, of which two operations in floats make F'
+///    (Space::coordinate_of);
 ///  - R, a float within 1.01 u of 1 / D, or +-2^60 where that float is greater; and R+ = R (1 + 2^-19), rounded;
 ///  - g = 2^-20 |F'| + e, with e = 2^-49 (|E| + |tau0 D|) + 2^-109 |tau0| + 2^-89, or 2^-89 where the ray is followed from
 ///    its origin, and 2^-58 (1 + max |F'|) more where |R| = 2^60 took a greater one's place;
@@ -160,7 +162,7 @@ template <Real T>
   float far = 0;
   for (int k = 0; k < 3; ++k) {
     e[k] = space.coordinate(to_double(origin[k]), k);
-    f[k] = static_cast<float>(e[k]);
+    f[k] = space.coordinate_of(origin[k], k);
     error[k] = BoxRay::least_error;
     far = std::max(far, __builtin_fabsf(f[k]));
   }

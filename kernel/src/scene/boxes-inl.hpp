@@ -69,11 +69,14 @@ struct RayAtBoxes {
   /// Of a vector of a node's children, from the i-th on; `high` is the ray's. See box_ray.hpp.
   HWY_INLINE auto enter(const Node& node, float high, std::size_t i) const {
     const D d;
-    V first = hn::Zero(d), last = hn::Set(d, high);
+    V near[3], far[3];
     for (int k = 0; k < 3; ++k) {
-      first = hn::Max(first, hn::MulSub(hn::Load(d, node.rows() + near_row[k] + i), reciprocal[k], near_offset[k]));
-      last = hn::Min(last, hn::MulSub(hn::Load(d, node.rows() + far_row[k] + i), far_reciprocal[k], far_offset[k]));
+      near[k] = hn::MulSub(hn::Load(d, node.rows() + near_row[k] + i), reciprocal[k], near_offset[k]);
+      far[k] = hn::MulSub(hn::Load(d, node.rows() + far_row[k] + i), far_reciprocal[k], far_offset[k]);
     }
+    // In pairs, for a shorter chain.
+    const V first = hn::Max(hn::Max(near[0], near[1]), hn::Max(near[2], hn::Zero(d)));
+    const V last = hn::Min(hn::Min(far[0], far[1]), hn::Min(far[2], hn::Set(d, high)));
     const auto met = hn::Le(first, last);
     return Entries<V, decltype(hn::Le(first, last))>{first, met};
   }

@@ -27,9 +27,9 @@ class HitVisitor {
         rays_(query.data, query.ray, is_plain),
         takes_all_(query.takes_all()) {}
 
-  HWY_INLINE void run() { walk(query_, rays_.box, *this, Child::node(0)); }
+  HWY_INLINE void run() { walk<Derived::wants_t>(query_, rays_.box, *this, Child::node(0)); }
   /// Visits the leaves under a node; returns true to end the walk.
-  HWY_NOINLINE bool run_under(Child node) { return walk(query_, rays_.box, *this, node); }
+  HWY_NOINLINE bool run_under(Child node) { return walk<Derived::wants_t>(query_, rays_.box, *this, node); }
   HWY_INLINE const BoxRay& box() const { return rays_.box; }
 
   /// Not inlined: the way through the nodes shall have the registers.
@@ -123,8 +123,17 @@ class HitVisitor {
     // The same bounds for determinants in double: of its unit, and with room for the 16 roundings at most that a bound takes.
     constexpr double share = numeric::unit / numeric::unit_of<T> * (sizeof(T) < sizeof(double) ? 1 + 0x1p-18 : 1);
     found.bounds = {share * error, share * distance_error, is_front};
+    if (HWY_UNLIKELY(is_loose(found))) sharpen(found);
     return self().hit(found);
   }
+
+  /// Whether floats leave so much of the ray behind the hit that more is visited there than a better bound costs. So it is with
+  /// triangles that are small beside their distance.
+  [[nodiscard]] static HWY_INLINE bool is_loose(const Candidate& found) {
+    return sizeof(T) < sizeof(double) && found.t.high - found.t.low > loose * numeric::magnitude(found.t.high);
+  }
+  static constexpr double loose = 0x1p-8;
+  HWY_NOINLINE HWY_FLATTEN void sharpen(Candidate& found) const { found = sharpened(query_, found); }
 
   /// One that the lanes have not settled, again in double, and then exactly. Not inlined: few come here.
   HWY_NOINLINE HWY_FLATTEN bool triangle(const TriangleBlock<T>& block, std::uint32_t number, int i) {

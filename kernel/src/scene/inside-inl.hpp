@@ -24,7 +24,7 @@ class InsideVisitor {
   explicit InsideVisitor(const Query<T, Tally>& query) : query_(query), rays_(query.data, query.ray, is_plain(query.ray)) {}
 
   [[nodiscard]] HWY_INLINE Place place() {
-    walk(query_, box_, *this, Child::node(0));
+    walk<false>(query_, box_, *this, Child::node(0));
     return is_on_ ? Place::boundary : is_inside_ ? Place::inside : Place::outside;
   }
 

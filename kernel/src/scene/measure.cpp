@@ -155,14 +155,12 @@ std::array<double, 3> middle(const Content<T>& content) {
 /// triangles': of their coordinates the least or the greatest is farthest off, in every mode, for rounding keeps their order.
 template <Real T>
 Space space_of(const Content<T>& content, const Keys<T>& corners) {
-  Space space;
   const std::array<double, 3> origin = middle(content);
-  for (int k = 0; k < 3; ++k) space.quarter_origin[k] = 0.25 * origin[k];
   double largest = 0;
   const auto include = [&](const Vec3<T>& p, T radius) {
     const T x[3] = {p.x, p.y, p.z};
     for (int k = 0; k < 3; ++k) {
-      const double size = __builtin_fabs(0.25 * to_double(x[k]) - space.quarter_origin[k]) + 0.25 * to_double(radius);
+      const double size = __builtin_fabs(0.25 * to_double(x[k]) - 0.25 * origin[k]) + 0.25 * to_double(radius);
       largest = size > largest ? size : largest;
     }
   };
@@ -178,9 +176,7 @@ Space space_of(const Content<T>& content, const Keys<T>& corners) {
   }
   // Quarters of at most 2^1023, so the exponent of the scale is at least -1024 + 2.
   const int exponent = std::clamp(-exponent_of(largest) - 1, -1022, 900);
-  space.scale = power_of_two(exponent);
-  space.exponent = exponent - 2;
-  return space;
+  return Space::about<T>(origin, exponent - 2);
 }
 
 template <Real T>

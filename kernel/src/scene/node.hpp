@@ -19,6 +19,8 @@ class Child {
   [[nodiscard]] static constexpr Child triangles(std::uint32_t i) noexcept { return Child(i | leaf); }
   [[nodiscard]] static constexpr Child spheres(std::uint32_t i) noexcept { return Child(i | leaf | sphere); }
   [[nodiscard]] static constexpr Child nothing() noexcept { return Child(~std::uint32_t(0)); }
+  /// From a vector of children.
+  [[nodiscard]] static constexpr Child from_bits(std::int32_t bits) noexcept { return Child(static_cast<std::uint32_t>(bits)); }
 
   /// Not initialised, for stacks of many.
   Child() noexcept = default;
@@ -50,12 +52,6 @@ struct alignas(32) Node {
   }
   /// All bounds, row after row.
   [[nodiscard]] const float* rows() const noexcept { return &bounds[0][0][0]; }
-  /// Bits of the children that are something.
-  [[nodiscard]] unsigned occupied() const noexcept {
-    unsigned bits = 0;
-    for (int i = 0; i < width; ++i) bits |= static_cast<unsigned>(!children[i].is_nothing()) << i;
-    return bits;
-  }
   [[nodiscard]] Box box(int i) const noexcept {
     return {{bounds[0][0][i], bounds[0][1][i], bounds[0][2][i]}, {bounds[1][0][i], bounds[1][1][i], bounds[1][2][i]}};
   }

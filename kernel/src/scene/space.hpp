@@ -2,6 +2,7 @@
 // that all shapes lie in [-1, 1]^3 or so: boxes of floats resolve a scene however far from zero, large or small it is.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -57,10 +58,39 @@ struct Space {
   double quarter_origin[3] = {};
   double scale = 4;  ///< 2^(exponent + 2)
   int exponent = 0;
+  /// Whether the map works in floats too, of floats, with these; see `coordinate_of`. The fourth number lets vectors be loaded.
+  bool is_narrow = false;
+  float narrow_origin[4] = {}, narrow_scale = 0;
+
+  /// Of shapes in T, about an origin whose coordinates are numbers of T. The exponent is at least -1024, at most 898.
+  template <Real T>
+  [[nodiscard]] static Space about(const std::array<double, 3>& origin, int exponent) noexcept {
+    Space space;
+    space.exponent = exponent;
+    space.scale = power_of_two(exponent + 2);
+    space.is_narrow = sizeof(T) < sizeof(double) && exponent >= -100 && exponent <= 100;
+    for (int k = 0; k < 3; ++k) {
+      const double size = __builtin_fabs(origin[k]);
+      space.quarter_origin[k] = 0.25 * origin[k];
+      space.is_narrow = space.is_narrow && (size == 0 || size >= 0x1p-100);
+    }
+    if (!space.is_narrow) return space;
+    for (int k = 0; k < 3; ++k) space.narrow_origin[k] = static_cast<float>(origin[k]);
+    space.narrow_scale = static_cast<float>(power_of_two(exponent));
+    return space;
+  }
 
   /// Errs by at most 2^-51 |v| + 2^-120, in every mode: the subtraction by 2^-52 |v|; an underflow, a flush or a subnormal
   /// double read as zero by 3 * 2^-1022 times a scale of at most 2^900.
   [[nodiscard]] double coordinate(double x, int axis) const noexcept { return (0.25 * x - quarter_origin[axis]) * scale; }
+  /// As a float; infinite where it is too great for one. From a normal float or zero, where `is_narrow`, by two operations in
+  /// floats: it errs by at most 2^-23 |v| for the subtraction, which does not underflow, as an origin is zero or so great that
+  /// all numbers near it are multiples of 2^-124, and by 2^-126 for an underflow of the product.
+  [[nodiscard]] float coordinate_of(float x, int axis) const noexcept {
+    if (is_narrow && !numeric::is_subnormal(x)) return (x - narrow_origin[axis]) * narrow_scale;
+    return static_cast<float>(coordinate(to_double(x), axis));
+  }
+  [[nodiscard]] float coordinate_of(double x, int axis) const noexcept { return static_cast<float>(coordinate(x, axis)); }
   /// A length; errs by 2^-120.
   [[nodiscard]] double length(double x) const noexcept { return 0.25 * x * scale; }
 };

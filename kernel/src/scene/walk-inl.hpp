@@ -6,7 +6,7 @@
 #define GRAZE_SCENE_WALK_INL
 #endif
 
-#include "scene/boxes-inl.hpp"
+#include "scene/agenda-inl.hpp"
 #include "scene/places.hpp"
 #include "scene/query.hpp"
 
@@ -14,70 +14,42 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::scene::HWY_NAMESPACE {
 
 /// Visits the leaves that the ray meets from `next` on, nearer ones first as far as their boxes tell, until visitor.leaf(child)
-/// returns true, and returns whether one did. The visitor may shorten the ray.
-template <Real T, class Tally, class Visitor>
+/// returns true, and returns whether one did. The visitor may shorten the ray. `in_order`: it pays to visit nearer ones first,
+/// as far as that is cheap; else only the nearest of a node's children is sure to come first.
+template <bool in_order, Real T, class Tally, class Visitor>
 HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor, Child next) {
   if (query.data.nodes.empty()) return false;
   const Node* const nodes = query.data.nodes.data();
   const Places<T> places(query.data);
-  const RayAtBoxes<BoxLanes> at_boxes(ray);
   const bool is_blind = ray.is_blind;
   float high = ray.high;
-  struct Entry {
-    Child child;
-    float entry;
-  };
-  Entry stack[deepest * (width - 1) + 1];
-  Entry* top = stack;
-  alignas(64) float entry[width];
+  Agenda<deepest*(width - 1) + 1> agenda;
+  agenda.start(next);
   while (true) {
-    while (!next.is_leaf()) {
+    // Made anew after each leaf, a call that leaves no vector in its register.
+    const RayAtBoxes<BoxLanes> at_boxes(ray);
+    while (!agenda.next.is_leaf()) {
       query.tally.template add<&Statistics::nodes>(1);
-      const Node& node = nodes[next.index()];
-      unsigned met = meet_boxes(at_boxes, high, node, entry);
-      if (HWY_UNLIKELY(is_blind)) met &= node.occupied();
-      if (met == 0) break;
-      const int one = __builtin_ctz(met);
-      met &= met - 1;
-      if (met == 0) {
-        next = node.children[one];
+      const Node& node = nodes[agenda.next.index()];
+      const Met met = meet(at_boxes, high, is_blind, node);
+      if (!met.is_any) {
+        agenda.pop();
         continue;
       }
-      if ((met & (met - 1)) == 0) {
-        // Two are the most common: no branch on which is nearer.
-        const int other = __builtin_ctz(met);
-        const float at_one = entry[one], at_other = entry[other];
-        const Child child_one = node.children[one], child_other = node.children[other];
-        const bool is_swapped = at_other < at_one;
-        *top++ = {is_swapped ? child_one : child_other, is_swapped ? at_one : at_other};
-        places.fetch(top[-1].child);
-        next = is_swapped ? child_other : child_one;
-        continue;
-      }
-      // The nearest is next; the others go on the stack, the farthest first: an insertion sort, for there are few.
-      Entry* const base = top;
-      *top++ = {node.children[one], entry[one]};
-      do {
-        const int i = __builtin_ctz(met);
-        met &= met - 1;
-        const float at = entry[i];
-        Entry* hole = top++;
-        for (; hole > base && hole[-1].entry < at; --hole) *hole = hole[-1];
-        *hole = {node.children[i], at};
-        places.fetch(node.children[i]);
-      } while (met != 0);
-      next = (--top)->child;
+      const auto spread = agenda.template spread<in_order>(met.keys, node);
+      agenda.next = spread.nearest;
+      places.fetch(agenda.next);
+      agenda.size = spread.size;
+      places.fetch(agenda.child[agenda.size - 1]);
     }
-    if (next.is_leaf()) {
-      query.tally.template add<&Statistics::leaves>(1);
-      if (visitor.leaf(next)) return true;
+    if (agenda.next.is_nothing()) return false;
+    query.tally.template add<&Statistics::leaves>(1);
+    if (visitor.leaf(agenda.next)) return true;
+    if (ray.high != high) {
       high = ray.high;
+      agenda.cut(high);
     }
-    do {
-      if (top == stack) return false;
-      --top;
-    } while (top->entry > high);
-    next = top->child;
+    agenda.pop();
   }
 }
 

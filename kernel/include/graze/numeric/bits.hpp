@@ -80,6 +80,12 @@ template <Real T>
   return is_zero(v.x) && is_zero(v.y) && is_zero(v.z);
 }
 
+template <Real T>
+[[nodiscard]] constexpr bool is_subnormal(T x) noexcept {
+  constexpr Bits<T> least_normal = Bits<T>(1) << (FormatOf<T>::precision - 1);
+  return magnitude_bits(x) - 1 < least_normal - 1;
+}
+
 /// x < 0, false for -0 and for NaN of either sign.
 template <Real T>
 [[nodiscard]] constexpr bool is_negative(T x) noexcept {
