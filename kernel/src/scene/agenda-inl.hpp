@@ -30,6 +30,18 @@ struct Keys {
   static constexpr int parts = width / key_lanes;
   hn::Vec<KeyLanes> part[parts];
 };
+/// The least of all, in every lane.
+HWY_INLINE hn::Vec<KeyLanes> least_of(const Keys& keys) {
+  auto least = keys.part[0];
+  for (int p = 1; p < Keys::parts; ++p) least = hn::Min(least, keys.part[p]);
+  return hn::MinOfLanes(KeyLanes(), least);
+}
+HWY_INLINE Keys without(Keys keys, hn::Vec<KeyLanes> one) {
+  const auto none = hn::Set(KeyLanes(), Keys::not_met);
+  for (auto& part : keys.part) part = hn::IfThenElse(hn::Eq(part, one), none, part);
+  return keys;
+}
+
 struct Met {
   Keys keys;
   bool is_any;
@@ -111,22 +123,12 @@ struct Agenda {
     bool is_met;
     int size;
   };
-  /// Puts all children that are met on the stack, for whose size the caller is to see, but the nearest. `in_order`: the second
+  /// Puts all children that are met on the stack but the nearest; its size is for the caller to set. `in_order`: the second
   /// nearest on top.
   template <bool in_order>
   HWY_INLINE Spread spread(const Keys& keys, const Node& node) {
     const KeyLanes d;
     const auto none = hn::Set(d, Keys::not_met), numbers = hn::Set(d, width - 1);
-    const auto least_of = [d](const Keys& some) HWY_ATTR {
-      auto least = some.part[0];
-      for (int p = 1; p < Keys::parts; ++p) least = hn::Min(least, some.part[p]);
-      return hn::MinOfLanes(d, least);
-    };
-    const auto without = [d, none](const Keys& some, hn::Vec<KeyLanes> one) HWY_ATTR {
-      Keys rest;
-      for (int p = 0; p < Keys::parts; ++p) rest.part[p] = hn::IfThenElse(hn::Eq(some.part[p], one), none, some.part[p]);
-      return rest;
-    };
     const auto nearest = least_of(keys);
     Keys others = without(keys, nearest);
     auto second = none;
