@@ -55,11 +55,12 @@ BoxRay target_box_ray(const Space& space, const Box& root, const Ray<T>& ray) {
 template <Real T>
 bool has_same_box_ray(const Space& space, const Box& root, const Ray<T>& ray) {
   const BoxRay one = target_box_ray(space, root, ray), other = scene::box_ray(space, root, ray);
-  bool is_same = one.high == other.high && one.reach == other.reach && one.reach_offset == other.reach_offset &&
+  const auto same = [](auto a, auto b) { return numeric::bits_of(a) == numeric::bits_of(b); };
+  bool is_same = same(one.high, other.high) && same(one.reach, other.reach) && same(one.reach_offset, other.reach_offset) &&
                  one.is_blind == other.is_blind;
   for (int k = 0; k < 3; ++k) {
-    is_same &= one.reciprocal[k] == other.reciprocal[k] && one.far_reciprocal[k] == other.far_reciprocal[k] &&
-               one.near_offset[k] == other.near_offset[k] && one.far_offset[k] == other.far_offset[k] &&
+    is_same &= same(one.reciprocal[k], other.reciprocal[k]) && same(one.far_reciprocal[k], other.far_reciprocal[k]) &&
+               same(one.near_offset[k], other.near_offset[k]) && same(one.far_offset[k], other.far_offset[k]) &&
                one.near_row[k] == other.near_row[k] && one.far_row[k] == other.far_row[k];
   }
   return is_same;

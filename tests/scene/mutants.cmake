@@ -143,6 +143,14 @@ graze_scene_mutant(
   narrow_origin
   BY campaign
   MODELS "a ray's origin brought into box space in floats, off by 2^-18 of the scene"
+  FILE src/scene/space.hpp
+  FIND [[return (x - narrow_origin[axis]) * narrow_scale;]]
+  REPLACE [[return (x - narrow_origin[axis]) * narrow_scale + 0x1p-18f;]])
+
+graze_scene_mutant(
+  narrow_origin_on_lanes
+  BY campaign
+  MODELS "the same where a ray's axes are in lanes"
   FILE src/scene/box_ray-inl.hpp
   FIND [[hn::LoadU(narrow, space.narrow_origin));]]
   REPLACE [[hn::Add(hn::LoadU(narrow, space.narrow_origin), set_float(0x1p-18f / space.narrow_scale)));]]

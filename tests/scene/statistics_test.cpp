@@ -163,6 +163,23 @@ TEST_CASE("Nodes visited grow with the logarithm of the number of triangles, and
   });
 }
 
+TEST_CASE("Behind a hit a scene of floats is searched hardly further than one of doubles, however small its triangles are") {
+  const Scene<float> narrow = sphere_of_triangles<float>(7);
+  const Scene<double> wide = sphere_of_triangles<double>(7);
+  const Random stream(1, "behind", 0);
+  Statistics floats, doubles;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    Random random = stream.at(i);
+    const Ray<float> ray = choose_ray<float>(random);
+    const auto& [e, d, t_min, t_max] = ray;
+    static_cast<void>(narrow.closest(ray, {}, floats));
+    static_cast<void>(wide.closest({{e.x, e.y, e.z}, {d.x, d.y, d.z}}, {}, doubles));
+  }
+  CAPTURE(floats.nodes, doubles.nodes, floats.leaves, doubles.leaves);
+  CHECK(static_cast<double>(floats.nodes) < 1.02 * static_cast<double>(doubles.nodes));
+  CHECK(static_cast<double>(floats.leaves) < 1.05 * static_cast<double>(doubles.leaves));
+}
+
 TEST_CASE("A scene far from the origin is not searched from end to end") {
   const fuzz::Mesh mesh = fuzz::icosphere(5);
   Statistics here, far;

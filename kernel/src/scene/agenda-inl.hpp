@@ -6,6 +6,11 @@
 #define GRAZE_SCENE_AGENDA_INL
 #endif
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
 #include "scene/boxes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -44,7 +49,7 @@ HWY_INLINE Keys without(Keys keys, hn::Vec<KeyLanes> one) {
 
 struct Met {
   Keys keys;
-  bool is_any;
+  bool is_any;  ///< as the least key tells too, but sooner
 };
 HWY_INLINE Met meet(const RayAtBoxes<BoxLanes>& ray, float high, bool is_blind, const Node& node) {
   const KeyLanes d;
@@ -96,10 +101,10 @@ HWY_INLINE hn::Vec<KeyLanes> compressed(hn::Vec<KeyLanes> v, hn::Mask<KeyLanes> 
 }
 #endif
 
-/// What a ray has still to visit, at most so much: what comes next, and a stack of the rest, entries in a column of their own,
-/// so that a vector of them is written at once. Of a node's children the nearest comes next, and the second after what that
-/// leads to, where that matters; the others are in no order, for there are few. Nothing here branches on which children are met
-/// or how many, which is not predictable.
+/// What a ray has still to visit: what comes next, and a stack of the rest, to which a node's children are added while it holds
+/// at most so many. Entries are a column of their own, so that a vector of them is written at once. Of a node's children the
+/// nearest comes next, and the second after what that leads to, where that matters; the others are in no order, for there are
+/// few. Nothing here branches on which children are met or how many, which is not predictable.
 template <int most>
 struct Agenda {
   Child next;
@@ -140,7 +145,7 @@ struct Agenda {
     for (int p = 0; p < Keys::parts; ++p) {
       const auto is_other = hn::Lt(others.part[p], none);
       const auto order = order_of(is_other);
-      hn::StoreU(compressed(hn::AndNot(numbers, others.part[p]), order), d, reinterpret_cast<std::int32_t*>(entry + end));
+      hn::StoreU(hn::BitCast(BoxLanes(), compressed(hn::AndNot(numbers, others.part[p]), order)), BoxLanes(), entry + end);
       store_children(compressed(load_children(node.children + p * key_lanes), order), child + end);
       end += static_cast<int>(hn::CountTrue(d, is_other));
     }

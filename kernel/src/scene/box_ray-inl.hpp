@@ -101,16 +101,16 @@ HWY_INLINE void to_box_ray(const Space& space, const Box& root, const Ray<T>& ra
     const V place = hn::Sub(hn::Mul(set(0.25), load_as_double(d, numbers)), hn::LoadU(d, space.quarter_origin));
     return hn::Mul(place, set(space.scale));
   };
-  auto f = hn::Zero(narrow), error = set_float(BoxRay::least_error);
-  bool is_ordinary = slopes.is_ordinary;
-  if constexpr (sizeof(T) < sizeof(double)) {
-    const auto difference = hn::Sub(hn::LoadU(narrow, numbers), hn::LoadU(narrow, space.narrow_origin));
-    f = hn::Mul(difference, set_float(space.narrow_scale));
-    is_ordinary &= space.is_narrow;
-  } else {
-    f = hn::DemoteTo(narrow, as_doubles());
-  }
-  f = hn::IfThenElseZero(hn::FirstN(narrow, 3), f);
+  const auto as_floats = [&]() HWY_ATTR {
+    if constexpr (sizeof(T) < sizeof(double)) {
+      const auto difference = hn::Sub(hn::LoadU(narrow, numbers), hn::LoadU(narrow, space.narrow_origin));
+      return hn::Mul(difference, set_float(space.narrow_scale));
+    } else {
+      return hn::DemoteTo(narrow, as_doubles());
+    }
+  };
+  auto f = hn::IfThenElseZero(hn::FirstN(narrow, 3), as_floats()), error = set_float(BoxRay::least_error);
+  const bool is_ordinary = slopes.is_ordinary & (sizeof(T) == sizeof(double) || space.is_narrow);
   // Beyond 2^40, which an infinite coordinate is too, a ray is blind.
   const bool is_far = bits_of_mask(narrow, hn::Gt(hn::Abs(f), set_float(BoxRay::near_by))) != 0;
   if (HWY_UNLIKELY(!is_ordinary || (is_far && !(hn::GetLane(hn::MaxOfLanes(narrow, hn::Abs(f))) <= 0x1p40f)))) {

@@ -18,7 +18,7 @@ namespace graze::scene {
 /// What is computed, with u = 2^-23, which bounds one float operation's relative error in every rounding mode:
 ///  - F, within f of X(tau0), f = 2^-50 (|E| + |tau0 D|) + 2^-110 |tau0| + 2^-100, and F', a float within u |F| + 2^-126 of it.
 ///    Either F is a double; or, of floats followed from their origin, X(0) itself, of which two operations in floats make F'
-///    (Space::coordinate_of);
+///    (Space::coordinate_of), which do not overflow where F' is as near by as that asks;
 ///  - R, a float within 1.01 u of 1 / D, or +-2^60 where that float is greater; and R+ = R (1 + 2^-19), rounded;
 ///  - g = 2^-20 |F'| + e, with e = 2^-49 (|E| + |tau0 D|) + 2^-109 |tau0| + 2^-89, or 2^-89 where the ray is followed from
 ///    its origin, and 2^-58 (1 + max |F'|) more where |R| = 2^60 took a greater one's place;

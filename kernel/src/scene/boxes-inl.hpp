@@ -83,7 +83,8 @@ struct RayAtBoxes {
 };
 using BoxLanes = hn::CappedTag<float, width>;
 
-/// The children whose boxes the ray meets, as bits; where it enters them to `entry`.
+/// The children whose boxes the ray meets, as bits; where it enters them to `entry`. For a question about one child: a ray on
+/// its way asks `meet`.
 HWY_INLINE unsigned meet_boxes(const RayAtBoxes<BoxLanes>& ray, float high, const Node& node, float* HWY_RESTRICT entry) {
   const BoxLanes d;
   constexpr std::size_t lanes = hn::MaxLanes(BoxLanes());

@@ -123,7 +123,7 @@ class HitVisitor {
     // The same bounds for determinants in double: of its unit, and with room for the 16 roundings at most that a bound takes.
     constexpr double share = numeric::unit / numeric::unit_of<T> * (sizeof(T) < sizeof(double) ? 1 + 0x1p-18 : 1);
     found.bounds = {share * error, share * distance_error, is_front};
-    if (HWY_UNLIKELY(is_loose(found))) sharpen(found);
+    if (HWY_UNLIKELY(is_loose(found)) && found.t.low <= end_) sharpen(found);
     return self().hit(found);
   }
 

@@ -85,7 +85,8 @@ struct Space {
   [[nodiscard]] double coordinate(double x, int axis) const noexcept { return (0.25 * x - quarter_origin[axis]) * scale; }
   /// As a float; infinite where it is too great for one. From a normal float or zero, where `is_narrow`, by two operations in
   /// floats: it errs by at most 2^-23 |v| for the subtraction, which does not underflow, as an origin is zero or so great that
-  /// all numbers near it are multiples of 2^-124, and by 2^-126 for an underflow of the product.
+  /// all numbers near it are multiples of 2^-124, and by 2^-126 for an underflow of the product. Where the subtraction
+  /// overflows, which some modes round to the greatest float, it is above 2^27 at least.
   [[nodiscard]] float coordinate_of(float x, int axis) const noexcept {
     if (is_narrow && !numeric::is_subnormal(x)) return (x - narrow_origin[axis]) * narrow_scale;
     return static_cast<float>(coordinate(to_double(x), axis));

@@ -26,7 +26,7 @@ HWY_INLINE bool walk(const Query<T, Tally>& query, BoxRay& ray, Visitor& visitor
   Agenda<deepest*(width - 1) + 1> agenda;
   agenda.start(next);
   while (true) {
-    // Made anew after each leaf, a call that leaves no vector in its register.
+    // Loaded anew after each leaf, which is a call, and so keeps no vector in its register.
     const RayAtBoxes<BoxLanes> at_boxes(ray);
     while (!agenda.next.is_leaf()) {
       query.tally.template add<&Statistics::nodes>(1);
