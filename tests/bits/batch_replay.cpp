@@ -4,31 +4,9 @@
 // Exit status: 0 all is as in the golden file, 1 not, 2 a file cannot be read.
 #include <fstream>
 
-#include "batch/targets.hpp"
-#include "hwy/highway.h"
 #include "tests/bits/batch_digest.hpp"
 #include "tests/bits/case_stream.hpp"
-
-namespace graze::fuzz {
-namespace {
-
-/// Calls f(name) for each instruction set, until it is false.
-template <class F>
-bool with_each_target(F f) {
-#if defined(HWY_COMPILE_ONLY_STATIC)
-  return f(hwy::TargetName(HWY_STATIC_TARGET));
-#else
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
-    hwy::SetSupportedTargetsForTest(left & -left);
-    hwy::GetChosenTarget().DeInit();
-    if (!f(hwy::TargetName(left & -left))) return false;
-  }
-  return true;
-#endif
-}
-
-}  // namespace
-}  // namespace graze::fuzz
+#include "tests/bits/targets.hpp"
 
 int main(int argc, char** argv) {
   using namespace graze::fuzz;

@@ -29,6 +29,8 @@ rows() {
   # Batches: all instruction sets that the processor has; on Arm Neon.
   for compiler in g++-12 clang++-14 clang++-19; do echo "batch_replay native $compiler -O2"; done
   echo 'batch_replay qemu-aarch64 aarch64-linux-gnu-g++ -O2'
+  # Scenes on Neon; natively they are tested as they are built.
+  echo 'scene_digest qemu-aarch64 aarch64-linux-gnu-g++ -O2'
 }
 
 status=0
@@ -41,7 +43,8 @@ while read -r program runner compiler flags; do
   # shellcheck disable=SC2086
   said=$(sh "$here/row.sh" "$folder/cases" "$row" "$program" "$runner" "$compiler" $flags) || result=$?
   queries=single
-  [ "$program" = answers_replay ] || queries=batches
+  [ "$program" != batch_replay ] || queries=batches
+  [ "$program" != scene_digest ] || queries=scenes
   printf '%-8s %-24s %-42s %s\n' "$queries" "$compiler" "$flags" "$said"
   case $result in
     0 | 77) ;;

@@ -95,9 +95,10 @@ class StreamDigest {
   std::array<Hash, float_modes.size()> answers_;
 };
 
-inline void print(const Digests& all) {
-  std::cout << "# family precision, hash of " << cases_of_a_stream
-            << " cases, hash of their answers; made by answers_digest, seed " << digest_seed << '\n';
+/// With a line of what they are of and which program has made them.
+inline void print(const Digests& all, const char* of, const char* maker) {
+  std::cout << "# family precision, hash of " << of << ", hash of their answers; made by " << maker << ", seed " << digest_seed
+            << '\n';
   for (const auto& [name, digest] : all) std::cout << name << ' ' << digest.inputs << ' ' << digest.answers << '\n';
 }
 
@@ -139,8 +140,9 @@ inline bool are_same(const Digests& golden, const Digests& ours) {
     }
   }
   if (other_inputs != 0) {
-    std::cerr << "The cases are not those of the golden file. Where families were changed, make it anew: answers_digest > "
-                 "tests/bits/golden.txt\nElse the families depend on the compiler.\n";
+    std::cerr
+        << "The cases are not those of the golden file. Where they were changed, make it anew by the program that its first "
+           "line names.\nElse they depend on the compiler.\n";
   }
   if (other_answers != 0) std::cerr << "The same cases have other answers: the bits depend on the build.\n";
   if (golden.size() != ours.size()) {

@@ -1,8 +1,8 @@
 #!/bin/sh
 # The same bits from one compiler and its flags: builds the kernel's single queries and their caller by hand, and replays the cases.
 #   row.sh CASES FOLDER PROGRAM RUNNER COMPILER [FLAG...]
-# PROGRAM: `answers_replay`, or `batch_replay` for the batches, which take Highway: natively all its instruction sets, elsewhere what the
-# flags say. RUNNER: `native`, or the emulator that runs the program.
+# PROGRAM: `answers_replay`, or `batch_replay` for the batches, or `scene_digest` for scenes, which have cases of their own. The last two
+# take Highway: natively all its instruction sets, elsewhere what the flags say. RUNNER: `native`, or the emulator that runs the program.
 # The kernel's own files have the flags that kernel/CMakeLists.txt adds, after the others. Prints `same`, or what is not.
 # Exit status: 0 the same, 1 a difference, 2 it could not be built or run; 77 where compiler or emulator is missing.
 set -eu
@@ -36,8 +36,11 @@ compile() {
 : >"$log"
 left_out='/(batch|scene)/|/exact/(order|parity)\.cpp'
 libraries='-static' # so that an emulator needs none of the target's
-if [ "$program" = batch_replay ]; then
-  left_out='/scene/|/exact/parity\.cpp'
+case $program in
+  batch_replay) left_out='/scene/|/exact/parity\.cpp' ;;
+  scene_digest) left_out='/batch/' ;;
+esac
+if [ "$program" != answers_replay ]; then
   if [ "$runner" = native ]; then
     libraries='-lhwy'
   else
@@ -57,8 +60,10 @@ done
   exit 2
 }
 [ "$runner" != native ] || runner=
+set -- "$cases" tests/bits/golden.txt
+[ "$program" != scene_digest ] || set -- tests/bits/scenes.txt
 status=0
-$runner "$folder/$program" "$cases" tests/bits/golden.txt >>"$log" 2>&1 || status=$?
+$runner "$folder/$program" "$@" >>"$log" 2>&1 || status=$?
 case $status in
   0) echo same ;;
   1)

@@ -33,6 +33,8 @@ HWY_INLINE void store_children(hn::Vec<KeyLanes> children, Child* to) {
 struct Keys {
   static constexpr std::int32_t not_met = 0x7fffffff;
   static constexpr int parts = width / key_lanes;
+  /// Not initialised; GCC compiles what is implicit for the baseline.
+  HWY_INLINE Keys() {}
   hn::Vec<KeyLanes> part[parts];
 };
 /// The least of all, in every lane.
@@ -53,7 +55,7 @@ struct Met {
 };
 HWY_INLINE Met meet(const RayAtBoxes<BoxLanes>& ray, float high, bool is_blind, const Node& node) {
   const KeyLanes d;
-  Met out;
+  Keys keys;
   auto any = hn::MaskFromVec(hn::Zero(d));
   for (int p = 0; p < Keys::parts; ++p) {
     const int i = p * key_lanes;
@@ -61,11 +63,10 @@ HWY_INLINE Met meet(const RayAtBoxes<BoxLanes>& ray, float high, bool is_blind, 
     auto met = hn::RebindMask(d, entries.met);
     if (HWY_UNLIKELY(is_blind)) met = hn::And(met, hn::Ne(load_children(node.children + i), hn::Set(d, -1)));
     const auto where = hn::And(hn::BitCast(d, entries.first), hn::Set(d, Keys::not_met - (width - 1)));
-    out.keys.part[p] = hn::IfThenElse(met, hn::Or(where, hn::Iota(d, i)), hn::Set(d, Keys::not_met));
+    keys.part[p] = hn::IfThenElse(met, hn::Or(where, hn::Iota(d, i)), hn::Set(d, Keys::not_met));
     any = hn::Or(any, met);
   }
-  out.is_any = !hn::AllFalse(d, any);
-  return out;
+  return {keys, !hn::AllFalse(d, any)};
 }
 
 #if HWY_ARCH_X86 && HWY_MAX_BYTES == 32
