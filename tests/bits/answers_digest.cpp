@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
   }
   if (argc == 1) {
     const Digests ours = digests();
-    print(ours, (std::to_string(cases_of_a_stream) + " cases").c_str(), "answers_digest");
+    print(ours, "cases", "answers_digest");
     return are_modes_alike(ours) ? 0 : 1;
   }
   std::ifstream golden(argv[1]);

@@ -110,7 +110,7 @@ inline Digests read(std::istream& file) {
     if (family.front() == '#') {
       std::getline(file, line);
     } else if (file >> precision >> digest.inputs >> digest.answers) {
-      all[family + ' ' + precision] = digest;
+      all[family.append(" ").append(precision)] = digest;
     }
   }
   return all;

@@ -36,9 +36,11 @@ struct World {
     const auto number = [&random](int least, int most) {
       return static_cast<T>(random.between(least * 256, most * 256)) / 256;
     };
-    for (int i = 0; i < side * side; ++i) {
-      const T x = static_cast<T>(i % side) + number(0, 1), y = static_cast<T>(i / side) + number(0, 1);
-      points.push_back({x, y, number(0, 3)});
+    for (int row = 0; row < side; ++row) {
+      for (int column = 0; column < side; ++column) {
+        const T x = static_cast<T>(column) + number(0, 1), y = static_cast<T>(row) + number(0, 1);
+        points.push_back({x, y, number(0, 3)});
+      }
     }
     for (std::uint32_t i = 0; i < side * (side - 1); ++i) {
       if (i % side == side - 1) continue;

@@ -21,7 +21,8 @@ Scene<T> sphere_of_triangles(int levels, bool has_sphere = false) {
   std::vector<Part<T>> parts{Mesh<T>{points, mesh.triangles}};
   if (has_sphere) parts.push_back(Spheres<T>{std::vector<Sphere<T>>{{{0, 0, 0}, T(0.5)}}});
   Scene<T> scene;
-  REQUIRE(scene.build(std::move(parts)).ok());
+  const bool is_built = scene.build(std::move(parts)).ok();
+  REQUIRE(is_built);
   return scene;
 }
 

@@ -27,7 +27,9 @@ struct Content {
     return static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), primitive) - first.begin()) - 1;
   }
   [[nodiscard]] std::uint32_t mask_of(std::uint32_t primitive) const noexcept {
-    return std::visit([](const auto& part) { return part.mask; }, parts[part_of(primitive)]);
+    const Part<T>& part = parts[part_of(primitive)];
+    const auto* mesh = std::get_if<Mesh<T>>(&part);
+    return mesh != nullptr ? mesh->mask : std::get_if<Spheres<T>>(&part)->mask;
   }
 };
 
