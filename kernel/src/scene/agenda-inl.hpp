@@ -43,12 +43,14 @@ HWY_INLINE hn::Vec<KeyLanes> least_of(const Keys& keys) {
   for (int p = 1; p < Keys::parts; ++p) least = hn::Min(least, keys.part[p]);
   return hn::MinOfLanes(KeyLanes(), least);
 }
+/// Without the one of this number, as if it were not met.
 HWY_INLINE Keys without(Keys keys, hn::Vec<KeyLanes> one) {
   const auto none = hn::Set(KeyLanes(), Keys::not_met);
   for (auto& part : keys.part) part = hn::IfThenElse(hn::Eq(part, one), none, part);
   return keys;
 }
 
+/// Of a node the children whose boxes the ray meets; of a blind ray's all that are something.
 struct Met {
   Keys keys;
   bool is_any;  ///< as the least key tells too, but sooner
